@@ -14,7 +14,7 @@ use crate::output;
 use crate::synth::clock::{Clock, clocks};
 use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, PlaceSetting, Row};
 use crate::synth::plan::{DeviceUse, Plan};
-use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, tables};
+use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, asic, tables};
 
 #[derive(Serialize)]
 struct Report {
@@ -65,6 +65,9 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
             bail!("{} is no folder: nothing to check", args.out.display());
         }
         return check(args, &subjects(&machines)?, json);
+    }
+    if args.asic {
+        return asic::execute(args, &machines, json);
     }
     args.grades
         .iter()
