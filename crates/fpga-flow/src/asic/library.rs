@@ -58,7 +58,8 @@ impl Library {
         write(&scratch.join(LIBERTY), &text)?;
         write(&scratch.join("probe.v"), PROBE)?;
         let script = format!(
-            "read_liberty {LIBERTY}; write_json cells.json; design -reset; read_liberty -lib {LIBERTY}; read_verilog probe.v; \
+            "read_liberty -ignore_miss_func {LIBERTY}; write_json cells.json; design -reset; \
+             read_liberty -lib -ignore_miss_func {LIBERTY}; read_verilog probe.v; \
              synth; dfflibmap -liberty {LIBERTY}; abc -liberty {LIBERTY}; write_json probe.json; \
              tee -q -o probe-stat.json stat -liberty {LIBERTY} -json"
         );

@@ -121,7 +121,7 @@ fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Resu
     let ends = format!("set_driving_cell {}\n", library.register().cell);
     write(&folder.join(CONSTRAINTS), &ends)?;
     let registers = format!(
-        "read_liberty -lib {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; dfflibmap -liberty {LIBERTY}; \
+        "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; dfflibmap -liberty {LIBERTY}; \
          abc -g AND,NAND,OR,NOR,XOR,XNOR,MUX; opt_clean -purge; write_json gates.json",
         design.read_commands("any")
     );
