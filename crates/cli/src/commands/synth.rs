@@ -123,6 +123,8 @@ fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
 }
 
 fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
+    let mut stale = figures::faults(&args.out, subjects, args.machines.is_empty())?;
+    stale.extend(asic::faults(&args.out, subjects)?);
     let report = CheckReport {
         machines: subjects
             .iter()
@@ -130,7 +132,7 @@ fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
             .collect(),
         out: args.out.display().to_string(),
         checked: true,
-        stale: figures::faults(&args.out, subjects, args.machines.is_empty())?,
+        stale,
         not_mapped: figures::without::<figures::AreaRow>(&args.out, subjects)?,
         not_placed: figures::without::<PlaceRow>(&args.out, subjects)?,
     };

@@ -151,6 +151,37 @@ fn rows(
     rows
 }
 
+/// The files of recorded measurements in a folder: `asic-LIBRARY.json`, each what `synth --asic --json` printed.
+fn recorded(folder: &Path) -> Result<Vec<(String, Report)>> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().and_then(|name| name.to_str());
+        let Some(name) = name.filter(|name| name.starts_with("asic-") && name.ends_with(".json")) else {
+            continue;
+        };
+        let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+        let report = serde_json::from_str(&text).with_context(|| path.display().to_string())?;
+        files.push((name.to_owned(), report));
+    }
+    files.sort_by(|a, b| a.0.cmp(&b.0));
+    Ok(files)
+}
+
+/// The recorded rows in a folder that are of other Verilog than the subjects'.
+pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
+    let mut faults = Vec::new();
+    for (file, report) in recorded(folder)? {
+        let is_of = |row: &AsicRow, subject: &Subject| row.machine == subject.name;
+        let stale = report.machines.iter().filter(|row| {
+            let subject = subjects.iter().find(|subject| is_of(row, subject));
+            subject.is_some_and(|subject| subject.verilog_sha256 != row.verilog_sha256)
+        });
+        faults.extend(stale.map(|row| format!("{file}: {} was measured with other Verilog", row.machine)));
+    }
+    Ok(faults)
+}
+
 fn text(report: &Report) -> String {
     let versions = report.tool_versions.iter();
     let versions: Vec<_> = versions
@@ -190,4 +221,32 @@ fn rows_table(rows: &[AsicRow]) -> String {
         ]
     };
     table::markdown(&header, &rows.iter().map(cells).collect::<Vec<_>>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs");
+
+    #[test]
+    fn the_page_has_the_recorded_tables() {
+        let page = fs::read_to_string(format!("{ROOT}/asic.md")).unwrap();
+        let files = recorded(&Path::new(ROOT).join("measured")).unwrap();
+        assert!(!files.is_empty());
+        for (file, report) in files {
+            let table = rows_table(&report.machines);
+            assert!(page.contains(&table), "{file} has this table:\n{table}");
+            assert!(page.contains(&report.library_sha256), "{file}: {}", report.library_sha256);
+        }
+    }
+
+    #[test]
+    fn an_activity_is_at_most_that_of_the_clock() {
+        assert_eq!(activity("0.2"), Ok(0.2));
+        for wrong in ["-0.1", "2.1", "NaN", "much"] {
+            let error = activity(wrong).unwrap_err();
+            assert!(error.contains(wrong) && error.contains("0 to 2"), "{error}");
+        }
+    }
 }
