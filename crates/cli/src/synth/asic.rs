@@ -157,7 +157,8 @@ fn recorded(folder: &Path) -> Result<Vec<(String, Report)>> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         let name = path.file_name().and_then(|name| name.to_str());
-        let Some(name) = name.filter(|name| name.starts_with("asic-") && name.ends_with(".json")) else {
+        let Some(name) = name.filter(|name| name.starts_with("asic-") && name.ends_with(".json"))
+        else {
             continue;
         };
         let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
@@ -177,7 +178,9 @@ pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
             let subject = subjects.iter().find(|subject| is_of(row, subject));
             subject.is_some_and(|subject| subject.verilog_sha256 != row.verilog_sha256)
         });
-        faults.extend(stale.map(|row| format!("{file}: {} was measured with other Verilog", row.machine)));
+        faults.extend(
+            stale.map(|row| format!("{file}: {} was measured with other Verilog", row.machine)),
+        );
     }
     Ok(faults)
 }
@@ -224,29 +227,4 @@ fn rows_table(rows: &[AsicRow]) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs");
-
-    #[test]
-    fn the_page_has_the_recorded_tables() {
-        let page = fs::read_to_string(format!("{ROOT}/asic.md")).unwrap();
-        let files = recorded(&Path::new(ROOT).join("measured")).unwrap();
-        assert!(!files.is_empty());
-        for (file, report) in files {
-            let table = rows_table(&report.machines);
-            assert!(page.contains(&table), "{file} has this table:\n{table}");
-            assert!(page.contains(&report.library_sha256), "{file}: {}", report.library_sha256);
-        }
-    }
-
-    #[test]
-    fn an_activity_is_at_most_that_of_the_clock() {
-        assert_eq!(activity("0.2"), Ok(0.2));
-        for wrong in ["-0.1", "2.1", "NaN", "much"] {
-            let error = activity(wrong).unwrap_err();
-            assert!(error.contains(wrong) && error.contains("0 to 2"), "{error}");
-        }
-    }
-}
+mod tests;

@@ -25,8 +25,12 @@ pub use timing::{Power, Sta};
 const CLOCK: &str = "clock";
 /// The library in the folder of a design.
 const LIBERTY: &str = "library.lib";
-/// The mapped netlist there.
+/// The mapped netlist there. Its ports are single bits, since OpenSTA reads no concatenations.
 const NETLIST: &str = "mapped.v";
+/// The mapped netlist with the ports of the design.
+const WITH_PORTS: &str = "mapped_with_ports.v";
+/// The options with which Yosys writes cells alone.
+const PLAIN: &str = "-noattr -noexpr -nohex -nodec";
 /// What ABC takes from the library for the ends of a design.
 const CONSTRAINTS: &str = "ends.constr";
 /// The ABC script.
@@ -114,6 +118,21 @@ pub fn measure(
     })
 }
 
+/// The netlist that [`measure`] left in the folder, with models of the library's cells by Yosys. Registers are 0 at power-up, as the
+/// registers of the design are at their initial values; real cells are so only after a reset.
+///
+/// # Errors
+/// Nothing was measured in the folder, or Yosys fails.
+pub fn netlist_with_models(yosys: &Yosys, folder: &Path) -> Result<String> {
+    let script = format!(
+        "read_liberty -ignore_miss_func {LIBERTY}; select */t:$_DFF_* %co:+[Q] */w:* %i; setattr -set init 1'0 %; \
+         select -clear; write_verilog -noattr models.v"
+    );
+    yosys.run(folder, &script)?;
+    let [netlist, models] = [WITH_PORTS, "models.v"].map(|file| read(&folder.join(file)));
+    Ok(netlist? + &models?)
+}
+
 /// Maps the design and writes its netlist. Returns the number of buffers behind registers and ports.
 fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Result<u64> {
     let top = &design.top;
@@ -121,7 +140,8 @@ fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Resu
     let ends = format!("set_driving_cell {}\n", library.register().cell);
     write(&folder.join(CONSTRAINTS), &ends)?;
     let registers = format!(
-        "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; dfflibmap -liberty {LIBERTY}; \
+        "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; \
+         dfflegalize -cell $_DFF_P_ 0; opt_clean; dfflibmap -liberty {LIBERTY}; \
          abc -g AND,NAND,OR,NOR,XOR,XNOR,MUX; opt_clean -purge; write_json gates.json",
         design.read_commands("any")
     );
@@ -131,9 +151,9 @@ fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Resu
     write(&folder.join("divided.json"), &netlist.to_string())?;
     let logic = format!(
         "read_json divided.json; hierarchy -top {top}; \
-         abc -liberty {LIBERTY} -constr {CONSTRAINTS} -D {TARGET_PS} -script {SCRIPT}; setundef -zero; splitnets -ports; \
-         opt_clean -purge; rename -hide w:*; tee -q -o stat.json stat -liberty {LIBERTY} -json; \
-         write_verilog -noattr -noexpr -nohex -nodec {NETLIST}"
+         abc -liberty {LIBERTY} -constr {CONSTRAINTS} -D {TARGET_PS} -script {SCRIPT}; setundef -zero; splitnets; \
+         opt_clean -purge; rename -hide w:*; write_verilog {PLAIN} {WITH_PORTS}; splitnets -ports; opt_clean -purge; tee -q -o stat.json stat -liberty {LIBERTY} -json; \
+         write_verilog {PLAIN} {NETLIST}"
     );
     yosys.run(folder, &logic)?;
     Ok(buffers)
