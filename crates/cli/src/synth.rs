@@ -1,5 +1,6 @@
 //! Measures area and clock of the emitted machines, with one pinned version of Yosys and nextpnr.
 
+pub mod asic;
 pub mod clock;
 pub mod figures;
 pub mod placed;

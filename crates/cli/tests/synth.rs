@@ -30,7 +30,7 @@ fn edit(folder: &Path, name: &str, change: impl FnOnce(&mut Value)) {
 }
 
 fn copy_committed(folder: &Path) {
-    for name in ["synthesis.json", "place.json"] {
+    for name in ["synthesis.json", "place.json", "asic-osu018_stdcells.json"] {
         fs::copy(Path::new(COMMITTED).join(name), folder.join(name)).unwrap();
     }
 }
@@ -61,6 +61,12 @@ fn figures_of_other_verilog_are_named_and_end_1() {
         "{message}"
     );
     assert!(message.contains("--update --machine"), "{message}");
+    edit(folder.path(), "asic-osu018_stdcells.json", |file| {
+        file["machines"][0]["verilog_sha256"] = "00".into();
+    });
+    let message = error(&check("paper"), 1);
+    let expected = "asic-osu018_stdcells.json: paper was measured with other Verilog";
+    assert!(message.contains(expected), "{message}");
     synth(&check("local")).assert().success();
 }
 

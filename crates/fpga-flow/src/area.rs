@@ -1,11 +1,12 @@
 //! Measures the area of a design in one flow.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Deserialize;
 
 use crate::design::Design;
-use crate::error::{FlowError, Result, read};
+use crate::error::{FlowError, Result, read, unexpected};
 use crate::figure::{CellCounts, Figures};
 use crate::flow::Flow;
 use crate::yosys::Yosys;
@@ -17,30 +18,62 @@ pub(crate) struct Stat {
     pub cells: CellCounts,
     /// The sum of their transistors, as text; `None` without a technology.
     pub transistors: Option<String>,
+    /// The area of the cells; `None` without a library.
+    pub area: Option<f64>,
+    /// The area of the registers among them.
+    pub register_area: Option<f64>,
 }
 
 #[derive(Deserialize)]
 struct Written {
-    design: OfDesign,
+    #[serde(default)]
+    modules: BTreeMap<String, OfModule>,
+    /// Missing where no module is the top.
+    design: Option<OfDesign>,
+}
+
+#[derive(Deserialize)]
+struct OfModule {
+    area: Option<f64>,
 }
 
 #[derive(Deserialize)]
 struct OfDesign {
     num_cells_by_type: CellCounts,
     estimated_num_transistors: Option<String>,
+    area: Option<f64>,
+    sequential_area: Option<f64>,
+}
+
+impl Written {
+    fn parse(text: &str) -> Result<Self> {
+        serde_json::from_str(text).map_err(|source| FlowError::Json {
+            writer: "Yosys's `stat -json`",
+            source,
+        })
+    }
 }
 
 impl Stat {
     pub fn parse(text: &str) -> Result<Self> {
-        let stat: Written = serde_json::from_str(text).map_err(|source| FlowError::Json {
-            writer: "Yosys's `stat -json`",
-            source,
-        })?;
+        let design = Written::parse(text)?.design;
+        let design = design
+            .ok_or_else(|| unexpected("found no design in what Yosys's `stat -json` wrote"))?;
         Ok(Self {
-            cells: stat.design.num_cells_by_type,
-            transistors: stat.design.estimated_num_transistors,
+            cells: design.num_cells_by_type,
+            transistors: design.estimated_num_transistors,
+            area: design.area,
+            register_area: design.sequential_area,
         })
     }
+}
+
+/// The area of each module, by its name, from the output of Yosys's `stat -liberty -json`.
+pub(crate) fn areas_of_modules(text: &str) -> Result<BTreeMap<String, f64>> {
+    let modules = Written::parse(text)?.modules.into_iter();
+    let area =
+        |(name, of): (String, OfModule)| Some((name.trim_start_matches('\\').to_owned(), of.area?));
+    Ok(modules.filter_map(area).collect())
 }
 
 /// Maps a design, whose files are in the folder (see [`Design::write`]), and counts its cells.

@@ -4,9 +4,10 @@
 //!
 //! [`devices`] has the families of FPGAs as tables. [`area`](area()) and [`place`](place()) measure; [`bitstream`](bitstream()) makes the
 //! file that a board is loaded with; [`netlist`] and [`path`] read what Yosys and nextpnr write; [`prove`](prove()) proves the passes
-//! over a netlist.
+//! over a netlist. [`asic`] measures a design in standard cells.
 
 mod area;
+pub mod asic;
 mod bitstream;
 mod design;
 pub mod devices;

@@ -1,22 +1,11 @@
 //! The passes over netlists of an ECP5 are proven by Yosys, with the models of its cells, and refuted where they
 //! are wrong. Yosys is that of `scripts/setup.sh --where`, or one on the PATH.
 
-use std::path::Path;
-use std::process::Command;
-
 use fpga_flow::devices::ecp5;
-use fpga_flow::{Netlist, Stage, Yosys, prove};
+use fpga_flow::{Netlist, Stage, prove};
 use serde_json::{Value, json};
 
-fn yosys() -> Yosys {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scripts/setup.sh");
-    let said = Command::new(script).arg("--where").output();
-    let said = said.map_or(String::new(), |output| {
-        String::from_utf8_lossy(&output.stdout).trim().to_owned()
-    });
-    let folder = (!said.is_empty()).then(|| Path::new(&said));
-    Yosys::find(folder).unwrap()
-}
+mod tools;
 
 /// A block RAM of 9 bits with two outputs that feed flip-flops with these parameters, and the block with
 /// these flip-flops moved inside.
@@ -76,7 +65,7 @@ fn netlist_of(cells: &[(&str, Value)]) -> Netlist {
 #[test]
 #[ignore = "needs Yosys: scripts/setup.sh installs it"]
 fn a_flip_flop_that_a_block_ram_does_not_have_is_found() {
-    let yosys = yosys();
+    let yosys = tools::yosys();
     let folder = tempfile::tempdir().unwrap();
     let models = ecp5::models(&yosys, folder.path()).unwrap();
     let register = |parameter: &str, value: &str, reset: Value| {
@@ -125,7 +114,7 @@ fn a_flip_flop_that_a_block_ram_does_not_have_is_found() {
 #[test]
 #[ignore = "needs Yosys: scripts/setup.sh installs it"]
 fn a_parameter_without_a_model_is_refused() {
-    let yosys = yosys();
+    let yosys = tools::yosys();
     let folder = tempfile::tempdir().unwrap();
     let models = ecp5::models(&yosys, folder.path()).unwrap();
     let register = json!({

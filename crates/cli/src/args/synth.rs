@@ -11,8 +11,8 @@ use fpga_flow::{Device, FLOWS, Flow, Placer, Router};
 
 use crate::narrow::WideArgs;
 use crate::project::ABC9_TARGET_PS;
-use crate::synth::DEFAULT_DEVICE;
 use crate::synth::figures::recorded_flows;
+use crate::synth::{DEFAULT_DEVICE, asic};
 
 /// `synth`
 #[derive(ClapArgs, Debug)]
@@ -24,13 +24,14 @@ Examples:
   photoncube synth --machine paper --update          replaces that machine's rows, no others
   photoncube synth --machine paper --device up5k     area and clock in an iCE40, or what it lacks
   photoncube synth --check                           fails where the committed rows are stale
+  photoncube synth --asic --machine stream           area, clock and energy in standard cells
 
 Yosys maps each machine in every flow; nextpnr places and routes it on an FPGA, in a serial wrapper
 that gives each port a register, with DSP blocks only where the machine's squarer is a product.
 About 5 s for each machine and flow, and half a minute for each machine, speed grade and seed; more
 where machines are larger. A machine that the FPGA cannot hold ends with exit code 1, and with what
 is lacking.
-`photoncube setup --synthesis` installs the tools.")]
+`photoncube setup --synthesis` installs the tools, and `photoncube setup --asic` those of --asic.")]
 pub struct SynthArgs {
     /// Only this machine; can be given several times [default: all]
     #[arg(long = "machine", value_name = "M")]
@@ -80,6 +81,16 @@ pub struct SynthArgs {
     /// Measure nothing; fail if the files are not about these machines' Verilog, all of it
     #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "placer", "router", "jobs", "tools"])]
     pub check: bool,
+    /// In standard cells instead: area, clock, and energy of a photon test, by Yosys and OpenSTA, without wires and clock tree
+    #[arg(long, conflicts_with_all = ["chains", "flows", "device", "grades", "seeds", "seed", "map_for", "placer", "router", "out",
+        "update", "check"])]
+    pub asic: bool,
+    /// The Liberty library of the standard cells
+    #[arg(long, requires = "asic", default_value = asic::LIBERTY, value_name = "FILE")]
+    pub liberty: PathBuf,
+    /// The transitions of each net in a clock cycle
+    #[arg(long, requires = "asic", default_value_t = asic::ACTIVITY, value_name = "X", value_parser = asic::activity)]
+    pub activity: f64,
     #[command(flatten)]
     pub wide: WideArgs,
 }

@@ -22,6 +22,7 @@ pub fn execute(args: &SetupArgs, json: bool) -> Result<()> {
         let mut script = setup_script()?;
         let options = [
             (args.synthesis, "--synthesis"),
+            (args.asic, "--asic"),
             (args.ccache, "--ccache"),
             (args.book, "--book"),
         ];

@@ -14,7 +14,7 @@ use crate::output;
 use crate::synth::clock::{Clock, clocks};
 use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, PlaceSetting, Row};
 use crate::synth::plan::{DeviceUse, Plan};
-use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, tables};
+use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, asic, tables};
 
 #[derive(Serialize)]
 struct Report {
@@ -65,6 +65,9 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
             bail!("{} is no folder: nothing to check", args.out.display());
         }
         return check(args, &subjects(&machines)?, json);
+    }
+    if args.asic {
+        return asic::execute(args, &machines, json);
     }
     args.grades
         .iter()
@@ -120,6 +123,8 @@ fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
 }
 
 fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
+    let mut stale = figures::faults(&args.out, subjects, args.machines.is_empty())?;
+    stale.extend(asic::faults(&args.out, subjects)?);
     let report = CheckReport {
         machines: subjects
             .iter()
@@ -127,7 +132,7 @@ fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
             .collect(),
         out: args.out.display().to_string(),
         checked: true,
-        stale: figures::faults(&args.out, subjects, args.machines.is_empty())?,
+        stale,
         not_mapped: figures::without::<figures::AreaRow>(&args.out, subjects)?,
         not_placed: figures::without::<PlaceRow>(&args.out, subjects)?,
     };

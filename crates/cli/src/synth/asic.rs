@@ -1,0 +1,230 @@
+//! Measures machines in standard cells: area, clock, and energy of a photon test.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::thread::available_parallelism;
+
+use anyhow::{Context, Result, anyhow};
+use fpga_flow::asic::{CellFigures, Library, Sta, measure};
+use fpga_flow::{FlowError, ToolError, Tools};
+use photoncube_spec::Machine;
+use rayon::ThreadPoolBuilder;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::Subject;
+use crate::args::SynthArgs;
+use crate::{output, progress, synth, table};
+
+/// The library of Debian's package `qflow-tech-osu018`: 0.18 um, typical corner, 1.8 V.
+pub const LIBERTY: &str = "/usr/share/qflow/tech/osu018/osu018_stdcells.lib";
+/// The transitions of a net in a clock cycle where nothing is known about it: one in five cycles changes it.
+pub const ACTIVITY: f64 = 0.2;
+/// The command that installs OpenSTA and the library.
+const INSTALL: &str = "photoncube setup --asic";
+
+/// A machine in standard cells.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct AsicRow {
+    machine: String,
+    verilog_sha256: String,
+    /// The area of all cells in square micrometres.
+    area_um2: f64,
+    /// The area in thousands of NANDs with two inputs.
+    kilo_gate_equivalents: f64,
+    /// The share of the registers in the area.
+    register_area_share: f64,
+    standard_cells: u64,
+    fanout_buffers: u64,
+    fmax_mhz: f64,
+    power_mw: f64,
+    photon_tests_per_clock: f64,
+    /// The energy of a photon test where each clock has its tests, in picojoules.
+    energy_pj_per_test: f64,
+    /// The share of the registers in the energy.
+    register_energy_share: f64,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Report {
+    library: String,
+    library_sha256: String,
+    activity: f64,
+    tool_versions: BTreeMap<String, String>,
+    machines: Vec<AsicRow>,
+}
+
+impl AsicRow {
+    fn of(subject: &Subject, figures: &CellFigures) -> Self {
+        let tests = subject.machine.photon_tests_per_clock();
+        Self {
+            machine: subject.name.clone(),
+            verilog_sha256: subject.verilog_sha256.clone(),
+            area_um2: figures.area,
+            kilo_gate_equivalents: figures.gate_equivalents / 1e3,
+            register_area_share: figures.register_area / figures.area,
+            standard_cells: figures.cells,
+            fanout_buffers: figures.fanout_buffers,
+            fmax_mhz: figures.fmax_mhz(),
+            power_mw: 1e3 * figures.power_w(),
+            photon_tests_per_clock: tests,
+            energy_pj_per_test: figures.cycle_energy_pj() / tests,
+            register_energy_share: figures.register_energy_pj / figures.cycle_energy_pj(),
+        }
+    }
+}
+
+/// A number of transitions in a clock cycle, from a text.
+pub fn activity(text: &str) -> Result<f64, String> {
+    let found: Option<f64> = text.parse().ok();
+    let found = found.filter(|activity| (0.0..=2.0).contains(activity));
+    found.ok_or_else(|| format!("found `{text}`, expected a number from 0 to 2, the clock's own"))
+}
+
+/// Measures the machines and prints a table.
+pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> Result<()> {
+    let tools = synth::tools(args.tools.as_deref(), None)?;
+    let sta = Sta::find().map_err(|error| match error {
+        FlowError::Tool(ToolError::Missing { .. }) => anyhow!("{error}; `{INSTALL}` installs it"),
+        error => error.into(),
+    })?;
+    let scratch = tempfile::tempdir().context("cannot make a scratch folder")?;
+    let library = library(&tools, scratch.path(), &args.liberty)?;
+    let mut tool_versions = tools.versions(scratch.path())?;
+    tool_versions.insert("opensta".to_owned(), sta.version(scratch.path())?);
+    let report = Report {
+        library: library.name().to_owned(),
+        library_sha256: library.sha256(),
+        activity: args.activity,
+        tool_versions,
+        machines: rows(args, machines, |subject| {
+            let folder = scratch.path().join(&subject.name);
+            fs::create_dir(&folder)?;
+            subject.design.write(&folder)?;
+            let design = &subject.design;
+            let figures = measure(
+                tools.yosys(),
+                &sta,
+                &folder,
+                design,
+                &library,
+                args.activity,
+            );
+            let figures = figures.with_context(|| format!("machine {}", subject.name))?;
+            // A netlist of hundreds of engines takes hundreds of MB.
+            fs::remove_dir_all(&folder)?;
+            Ok(AsicRow::of(subject, &figures))
+        })?,
+    };
+    output::print_tables(json, args.wide, &report, || text(&report))
+}
+
+fn library(tools: &Tools, scratch: &Path, liberty: &Path) -> Result<Library> {
+    if liberty == Path::new(LIBERTY) && !liberty.exists() {
+        return Err(anyhow!(
+            "found no {LIBERTY}; `{INSTALL}` installs it, --liberty names another library"
+        ));
+    }
+    Ok(Library::read(tools.yosys(), scratch, liberty)?)
+}
+
+/// The rows of the machines, several at a time.
+fn rows(
+    args: &SynthArgs,
+    machines: &[&'static Machine],
+    row: impl Fn(&Subject) -> Result<AsicRow> + Sync,
+) -> Result<Vec<AsicRow>> {
+    let bar = progress::bar("standard cells", machines.len() as u64);
+    let cores = || available_parallelism().map_or(1, usize::from);
+    let jobs = args.jobs.map_or_else(cores, usize::from);
+    let pool = ThreadPoolBuilder::new().num_threads(jobs).build()?;
+    let rows = pool.install(|| {
+        let rows = machines.par_iter().map(|machine| {
+            let row = row(&Subject::of(machine)?)?;
+            bar.inc(1);
+            Ok(row)
+        });
+        rows.collect()
+    });
+    bar.finish_and_clear();
+    rows
+}
+
+/// The files of recorded measurements in a folder: `asic-LIBRARY.json`, each what `synth --asic --json` printed.
+fn recorded(folder: &Path) -> Result<Vec<(String, Report)>> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().and_then(|name| name.to_str());
+        let Some(name) = name.filter(|name| name.starts_with("asic-") && name.ends_with(".json"))
+        else {
+            continue;
+        };
+        let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+        let report = serde_json::from_str(&text).with_context(|| path.display().to_string())?;
+        files.push((name.to_owned(), report));
+    }
+    files.sort_by(|a, b| a.0.cmp(&b.0));
+    Ok(files)
+}
+
+/// The recorded rows in a folder that are of other Verilog than the subjects'.
+pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
+    let mut faults = Vec::new();
+    for (file, report) in recorded(folder)? {
+        let is_of = |row: &AsicRow, subject: &Subject| row.machine == subject.name;
+        let stale = report.machines.iter().filter(|row| {
+            let subject = subjects.iter().find(|subject| is_of(row, subject));
+            subject.is_some_and(|subject| subject.verilog_sha256 != row.verilog_sha256)
+        });
+        faults.extend(
+            stale.map(|row| format!("{file}: {} was measured with other Verilog", row.machine)),
+        );
+    }
+    Ok(faults)
+}
+
+fn text(report: &Report) -> String {
+    let versions = report.tool_versions.iter();
+    let versions: Vec<_> = versions
+        .filter(|(tool, _)| !tool.starts_with("yowasp-"))
+        .map(|(tool, version)| format!("{tool} {version}"))
+        .collect();
+    format!(
+        "Standard cells of {}, {} transitions of a net in a clock cycle, no wires, no clock tree:\n{}\nBy {}.\n",
+        report.library,
+        report.activity,
+        rows_table(&report.machines),
+        versions.join(", ")
+    )
+}
+
+fn rows_table(rows: &[AsicRow]) -> String {
+    let header = [
+        "machine",
+        "kGE",
+        "um2",
+        "MHz",
+        "mW",
+        "pJ a test",
+        "area in registers",
+        "energy in registers",
+    ];
+    let cells = |row: &AsicRow| {
+        vec![
+            row.machine.clone(),
+            format!("{:.1}", row.kilo_gate_equivalents),
+            table::grouped(row.area_um2.round() as u64),
+            format!("{:.0}", row.fmax_mhz),
+            format!("{:.1}", row.power_mw),
+            format!("{:.1}", row.energy_pj_per_test),
+            format!("{:.0} %", 100.0 * row.register_area_share),
+            format!("{:.0} %", 100.0 * row.register_energy_share),
+        ]
+    };
+    table::markdown(&header, &rows.iter().map(cells).collect::<Vec<_>>())
+}
+
+#[cfg(test)]
+mod tests;

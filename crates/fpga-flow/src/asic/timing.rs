@@ -1,0 +1,183 @@
+//! Runs OpenSTA on a mapped netlist, and reads the period and the powers from what it prints.
+
+use std::path::{Path, PathBuf};
+
+use super::library::Library;
+use super::{CLOCK, LIBERTY, NETLIST};
+use crate::error::{Result, ToolError, unexpected, write};
+use crate::program::{Program, run};
+use crate::yosys::version_of;
+
+static PROGRAM: Program = Program {
+    names: ["opensta", "sta"],
+    version_option: "-version",
+    version_after: "",
+};
+
+/// An installed OpenSTA.
+#[derive(Clone, Debug)]
+pub struct Sta {
+    path: PathBuf,
+}
+
+/// The period and the powers of a design.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Times {
+    /// The shortest clock period, in ns.
+    pub period_ns: f64,
+    pub registers: Power,
+    pub logic: Power,
+}
+
+/// The power of some cells at the clock period [`PERIOD_NS`].
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct Power {
+    /// What switches, in watts.
+    pub dynamic_w: f64,
+    /// What flows at rest, in watts.
+    pub leakage_w: f64,
+}
+
+/// For each transition of a pin, OpenSTA 2.0.17 adds the energies of its rise and of its fall; later versions take their mean. The
+/// rows of a cell's energies by its inputs are weighted so that the weights add up to 1 in registers, inverters, buffers, and gates of
+/// two inputs, but to 0.75 in a NAND of three, to 1.75 in an AND-OR-invert and to 2 in an XOR whose rows have conditions.
+const OVERCOUNT: f64 = 0.5;
+
+/// The clock period at which powers are computed, in ns. The energy of a cycle does not depend on it.
+const PERIOD_NS: f64 = 10.0;
+
+impl Power {
+    /// The energy of a clock cycle, in picojoules.
+    pub(super) fn cycle_energy_pj(self) -> f64 {
+        1e3 * self.dynamic_w * PERIOD_NS
+    }
+}
+
+impl Sta {
+    /// Finds OpenSTA on the PATH.
+    ///
+    /// # Errors
+    /// It is not there.
+    pub fn find() -> Result<Self> {
+        let path = PROGRAM.find(None)?;
+        Ok(Self { path })
+    }
+
+    /// The version of the program.
+    ///
+    /// # Errors
+    /// The program does not run.
+    pub fn version(&self, scratch: &Path) -> Result<String, ToolError> {
+        version_of(&PROGRAM, &self.path, scratch)
+    }
+
+    /// Measures the netlist in the folder. Inputs come from registers of the library, and all paths end within a clock period.
+    pub(super) fn measure(
+        &self,
+        folder: &Path,
+        top: &str,
+        library: &Library,
+        activity: f64,
+    ) -> Result<Times> {
+        let file = "times.tcl";
+        write(&folder.join(file), &script(top, library, activity))?;
+        let said = run(&self.path, ["-no_splash", "-exit", file], folder)?;
+        times(&said)
+    }
+}
+
+fn script(top: &str, library: &Library, activity: f64) -> String {
+    let register = library.register();
+    format!(
+        "set_cmd_units -time ns -power W
+read_liberty {LIBERTY}
+read_verilog {NETLIST}
+link_design {top}
+create_clock -name {CLOCK} -period {PERIOD_NS} [get_ports {CLOCK}]
+foreach port [all_inputs] {{
+  if {{[get_name $port] != \"{CLOCK}\"}} {{
+    set_driving_cell -lib_cell {} -pin {} $port
+    set_input_delay 0 -clock {CLOCK} $port
+  }}
+}}
+set_output_delay 0 -clock {CLOCK} [all_outputs]
+report_worst_slack -digits 6
+set_power_activity -global -activity {activity} -duty 0.5
+report_power -digits 9
+",
+        register.cell, register.output
+    )
+}
+
+/// The figures in what OpenSTA printed.
+fn times(said: &str) -> Result<Times> {
+    // OpenSTA goes on after an error, with results that are of something else.
+    if let Some(error) = said.lines().find(|line| line.starts_with("Error")) {
+        return Err(unexpected(format!("OpenSTA says: {error}")));
+    }
+    let row = |name: &str| -> Result<Vec<f64>> {
+        let line = said.lines().find_map(|line| line.strip_prefix(name));
+        let words = line.into_iter().flat_map(str::split_whitespace);
+        let numbers: Vec<f64> = words.map_while(|word| word.parse().ok()).collect();
+        match numbers.is_empty() {
+            true => Err(unexpected(format!(
+                "found no `{name}` in what OpenSTA says"
+            ))),
+            false => Ok(numbers),
+        }
+    };
+    let power = |name: &str| match row(name)?[..] {
+        [internal, switching, leakage, _total] => Ok(Power {
+            dynamic_w: OVERCOUNT * internal + switching,
+            leakage_w: leakage,
+        }),
+        _ => Err(unexpected(format!(
+            "found another table of powers in what OpenSTA says, row `{name}`"
+        ))),
+    };
+    Ok(Times {
+        period_ns: PERIOD_NS - row("worst slack")?[0],
+        registers: power("Sequential")?,
+        logic: power("Combinational")?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SAID: &str = "\
+worst slack 6.738280
+Group                     Internal    Switching      Leakage        Total
+                             Power        Power        Power        Power
+----------------------------------------------------------------
+Sequential           1.100000e-01 1.000000e-02 7.000000e-07 1.200007e-01  81.6%
+Combinational        2.300000e-02 4.000000e-03 6.000000e-07 2.700060e-02  18.4%
+Total                1.330000e-01 1.400000e-02 1.300000e-06 1.470013e-01 100.0%
+";
+
+    #[test]
+    fn the_period_and_the_powers_are_read() {
+        let times = times(SAID).unwrap();
+        assert!((times.period_ns - 3.261_72).abs() < 1e-9);
+        // Half of 0.11 W and 0.01 W, in 10 ns.
+        assert!((times.registers.cycle_energy_pj() - 650.0).abs() < 1e-6);
+        assert!((times.logic.cycle_energy_pj() - 155.0).abs() < 1e-6);
+        assert!((times.logic.leakage_w - 6e-7).abs() < 1e-15);
+    }
+
+    #[test]
+    fn an_error_or_a_missing_row_is_told() {
+        let error = times(&format!("Error: mapped.v, line 1 syntax error\n{SAID}"));
+        assert!(
+            error
+                .unwrap_err()
+                .to_string()
+                .contains("line 1 syntax error")
+        );
+        let error = times(&SAID.replace("Sequential", "Registers"));
+        assert!(error.unwrap_err().to_string().contains("`Sequential`"));
+        let error = times(&SAID.replace("worst slack", "slack"));
+        assert!(error.unwrap_err().to_string().contains("`worst slack`"));
+    }
+}

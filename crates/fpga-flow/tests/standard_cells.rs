@@ -1,0 +1,181 @@
+//! A design in the cells of a small library, whose figures can be computed by hand. Yosys is that of `scripts/setup.sh --where`, or
+//! one on the PATH; OpenSTA is on the PATH.
+
+use std::fs;
+use std::path::Path;
+
+use fpga_flow::Design;
+use fpga_flow::asic::{CellFigures, Library, Sta, measure};
+
+mod tools;
+
+/// The delay of each cell in ns, and of a register from its clock.
+const DELAY_NS: f64 = 0.1;
+/// The setup time of a register in ns.
+const SETUP_NS: f64 = 0.05;
+/// The energy of a cell at each transition of its output.
+const ENERGY_PJ: f64 = 2.0;
+/// The energy of a register at each transition of the clock.
+const CLOCK_ENERGY_PJ: f64 = 0.5;
+/// The power at rest of each cell in W.
+const LEAKAGE_W: f64 = 3e-9;
+
+/// A table of one constant, by a template of the library.
+fn table((template, value): (&str, f64)) -> String {
+    format!("({template}) {{ values(\"{value}, {value}\", \"{value}, {value}\"); }}")
+}
+
+/// A cell of one output. The tables are of constants: neither slope nor load counts.
+fn cell(name: &str, area: u32, inputs: &[&str], function: &str) -> String {
+    let arcs = inputs.iter().map(|input| {
+        let [delay, slope, energy] = [("delay", DELAY_NS), ("delay", 0.01), ("energy", ENERGY_PJ)].map(table);
+        format!(
+            "timing() {{ related_pin : \"{input}\"; timing_sense : {sense}; \
+             cell_rise{delay} cell_fall{delay} rise_transition{slope} fall_transition{slope} }}
+             internal_power() {{ related_pin : \"{input}\"; rise_power{energy} fall_power{energy} }}",
+            sense = if function.starts_with('!') { "negative_unate" } else { "positive_unate" },
+        )
+    });
+    let pins = inputs
+        .iter()
+        .map(|input| format!("pin({input}) {{ direction : input; capacitance : 0.001; }}"));
+    format!(
+        "cell({name}) {{ area : {area}; cell_leakage_power : 3; {} pin(Y) {{ direction : output; function : \"{function}\"; {} }} }}\n",
+        pins.collect::<String>(),
+        arcs.collect::<String>()
+    )
+}
+
+fn register() -> String {
+    let [delay, slope, setup, hold, energy] = [
+        ("delay", DELAY_NS),
+        ("delay", 0.01),
+        ("limit", SETUP_NS),
+        ("limit", 0.0),
+        ("energy", CLOCK_ENERGY_PJ),
+    ]
+    .map(table);
+    format!(
+        "cell(REG) {{ area : 20; cell_leakage_power : 3; ff(IQ, IQN) {{ clocked_on : \"CK\"; next_state : \"D\"; }}
+           pin(CK) {{ direction : input; clock : true; capacitance : 0.001;
+             internal_power() {{ rise_power{energy} fall_power{energy} }} }}
+           pin(D) {{ direction : input; capacitance : 0.001;
+             timing() {{ related_pin : \"CK\"; timing_type : setup_rising; rise_constraint{setup} fall_constraint{setup} }}
+             timing() {{ related_pin : \"CK\"; timing_type : hold_rising; rise_constraint{hold} fall_constraint{hold} }} }}
+           pin(Q) {{ direction : output; function : \"IQ\";
+             timing() {{ related_pin : \"CK\"; timing_type : rising_edge;
+               cell_rise{delay} cell_fall{delay} rise_transition{slope} fall_transition{slope} }} }} }}\n"
+    )
+}
+
+fn liberty() -> String {
+    let cells = [
+        cell("INV", 3, &["A"], "!A"),
+        cell("NAND", 4, &["A", "B"], "!(A&B)"),
+        cell("BUF", 6, &["A"], "A"),
+        cell("LARGE", 60, &["A"], "A"),
+        register(),
+    ];
+    format!(
+        "library (small) {{ delay_model : table_lookup; time_unit : \"1ns\"; voltage_unit : \"1V\"; current_unit : \"1mA\";
+           leakage_power_unit : \"1nW\"; capacitive_load_unit(1, pf); pulling_resistance_unit : \"1kohm\";
+           nom_process : 1; nom_voltage : 1.0; nom_temperature : 25;
+           operating_conditions(typical) {{ process : 1; voltage : 1.0; temperature : 25; }}
+           default_operating_conditions : typical;
+           input_threshold_pct_rise : 50; input_threshold_pct_fall : 50; output_threshold_pct_rise : 50;
+           output_threshold_pct_fall : 50; slew_lower_threshold_pct_rise : 20; slew_lower_threshold_pct_fall : 20;
+           slew_upper_threshold_pct_rise : 80; slew_upper_threshold_pct_fall : 80;
+           lu_table_template(delay) {{ variable_1 : input_net_transition; variable_2 : total_output_net_capacitance; {index} }}
+           power_lut_template(energy) {{ variable_1 : input_transition_time; variable_2 : total_output_net_capacitance; {index} }}
+           lu_table_template(limit) {{ variable_1 : related_pin_transition; variable_2 : constrained_pin_transition; {index} }}
+           {} }}\n",
+        cells.concat(),
+        index = "index_1(\"0.01, 1.0\"); index_2(\"0.001, 1.0\");",
+    )
+}
+
+/// One register that 30 others read, each through a NAND.
+const DESIGN: &str = "
+module toy(input clock, input d, input [29:0] mask, output reg [29:0] q);
+  reg common;
+  always @(posedge clock) begin
+    common <= d;
+    q <= ~({30{common}} & mask);
+  end
+endmodule
+";
+
+fn measured(activity: f64) -> CellFigures {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("small.lib");
+    fs::write(&path, liberty()).unwrap();
+    let yosys = tools::yosys();
+    let library = Library::read(&yosys, folder.path(), &path).unwrap();
+    assert_eq!((library.name(), library.nand2_area()), ("small", 4.0));
+    let design = Design {
+        top: "toy".to_owned(),
+        verilog: DESIGN.to_owned(),
+        ..Design::default()
+    };
+    design.write(folder.path()).unwrap();
+    let sta = Sta::find().unwrap();
+    measure(&yosys, &sta, folder.path(), &design, &library, activity).unwrap()
+}
+
+#[test]
+#[ignore = "needs Yosys and OpenSTA: scripts/setup.sh --asic installs them"]
+fn the_figures_are_those_computed_by_hand() {
+    let figures = measured(0.2);
+    // 31 registers, 30 NANDs, and 3 buffers, as a net has at most 12 readers. The large buffer is too large to divide nets.
+    assert_eq!((figures.cells, figures.fanout_buffers), (64, 3));
+    assert_eq!(figures.area, 31.0 * 20.0 + 30.0 * 4.0 + 3.0 * 6.0);
+    assert_eq!(figures.register_area, 31.0 * 20.0);
+    assert_eq!(figures.gate_equivalents, figures.area / 4.0);
+    // From the common register through a buffer and a NAND.
+    let close = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-5;
+    assert!(
+        close(figures.period_ns, 3.0 * DELAY_NS + SETUP_NS),
+        "{figures:?}"
+    );
+    assert!(close(figures.leakage_w, 64.0 * LEAKAGE_W), "{figures:?}");
+    // What the nets take is 0.5 C V^2 = 0.0005 pJ a transition and pin, less than a thousandth of the cells' energies.
+    let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-3;
+    assert!(
+        near(figures.logic_energy_pj, 33.0 * 0.2 * ENERGY_PJ),
+        "{figures:?}"
+    );
+    assert!(
+        near(figures.register_energy_pj, 31.0 * 2.0 * CLOCK_ENERGY_PJ),
+        "{figures:?}"
+    );
+}
+
+#[test]
+#[ignore = "needs Yosys and OpenSTA: scripts/setup.sh --asic installs them"]
+fn the_energy_is_in_proportion_to_the_activity() {
+    let [one, two] = [0.1, 0.2].map(measured);
+    assert!(
+        (two.logic_energy_pj / one.logic_energy_pj - 2.0).abs() < 1e-5,
+        "{one:?} {two:?}"
+    );
+}
+
+/// A file that is no library, or lacks a cell, is named with what is missing.
+#[test]
+#[ignore = "needs Yosys: scripts/setup.sh installs it"]
+fn what_a_library_lacks_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("small.lib");
+    let read = |text: &str| {
+        fs::write(&path, text).unwrap();
+        let error = Library::read(&tools::yosys(), folder.path(), Path::new(&path));
+        error.unwrap_err().to_string()
+    };
+    let error = read("module top(); endmodule");
+    assert!(
+        error.contains("no `library (NAME)`") && error.contains("small.lib"),
+        "{error}"
+    );
+    let error = read(&liberty().replace("cell(BUF) { area : 6", "cell(BUF) { area : 9"));
+    assert!(error.contains("no buffer"), "{error}");
+}
