@@ -4,7 +4,7 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-Usage: scripts/accuracy.sh [lighting | passes | confidence | target | peer]
+Usage: scripts/accuracy.sh [lighting | passes | confidence | target | radius | peer]
 
 Prints tables (Markdown), all but `peer` unless one is named:
   lighting    the Cornell box lit in several ways, against the path-traced reference
@@ -12,15 +12,16 @@ Prints tables (Markdown), all but `peer` unless one is named:
               the default photon format
   confidence  on scenes with and without mirrors and glass, how many pixels' error is within its bound
   target      on these scenes, where --error-target stops, and how far the picture is from the truth there
+  radius      the chi-square rule of the radii beside the schedule, at equal photons, by what the map carries
   peer        CPU seconds to an error, beside Mitsuba's path tracer; installs it from PyPI into a folder of its own,
               and needs Debian's package libllvm19
-The truth of `confidence` and `target` is f64 at convergence, made first: two minutes a scene. About half an hour on two
-cores; `peer` ten minutes more.
+The truth of `confidence` and `target` is f64 at convergence, made first: two minutes a scene. About 40 minutes on
+two cores; `peer` ten minutes more.
 USAGE
 }
 
 case ${1-all} in
-    all | lighting | passes | confidence | target | peer) what=${1-all} ;;
+    all | lighting | passes | confidence | target | radius | peer) what=${1-all} ;;
     -h | --help)
         usage
         exit 0
@@ -108,8 +109,9 @@ passes() {
     passes_of docs/scenes/spheres.toml docs/reference/spheres.exr
 }
 
-# Scenes with their lighting: the default, and all light by the map.
-cases=("cornell" "cornell --direct map --caustics map" "ring" "ring --direct map --caustics map"
+# Scenes with their lighting: the default, and all light by the map, whose chi-square rule `radius` is about.
+cases=("cornell" "cornell --direct map --caustics map --radius-rule schedule"
+    "ring" "ring --direct map --caustics map --radius-rule schedule"
     "docs/scenes/balls.toml" "docs/scenes/mirrors.toml" "docs/scenes/spheres.toml")
 
 # The picture of a scene in f64 at convergence, 64 x 64, made once.
@@ -162,6 +164,49 @@ PY
     done
 }
 
+# What the map of a picture carries, with the options for it.
+carried=("all light: --direct map --caustics map" "all but direct: --direct rays:4 --caustics map"
+    "all but caustics: --direct map --caustics own" "neither: --direct rays:4 --caustics own")
+
+# The picture of a scene by integers at convergence, 64 x 64, made once: sooner than `truth_of`, and with as many photons.
+truth_by_integers_of() {
+    local picture=$work/integers-$(basename "$1" .toml).exr
+    [[ -e $picture ]] || photoncube progressive "$1" --size 64x64 -o "$picture" --engine format --photons 500000 --in-range 30 \
+        --samples 4 --direct rays:8 --passes 120 --seed 9000 >/dev/null
+    printf '%s' "$picture"
+}
+
+radius() {
+    printf '\n| scene | in the map | engine | photons traced | schedule: relMSE | chi-square: relMSE | ratio | bound | in bounds | seconds |\n'
+    printf '| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n'
+    local scene engine carries rule
+    for scene in ring docs/scenes/caustic.toml cornell; do
+        for carries in "${carried[@]}"; do
+            for engine in format f64; do
+                # One case in f64 shows that the engines do not differ here.
+                [[ $engine == format || "$scene $carries" == "ring all light"* ]] || continue
+                for rule in schedule chi-square; do
+                    # shellcheck disable=SC2086 # options
+                    photoncube progressive "$scene" --size 64x64 -o "$work/r.exr" --engine "$engine" ${carries#*: } \
+                        --photons 50000 --samples 2 --passes 128 --radius-rule "$rule" \
+                        --reference "$(truth_by_integers_of "$scene")" --json >"$work/r-$rule.json"
+                done
+                python3 - "$work" "$scene" "${carries%%:*}" "$engine" <<'PY'
+import json, sys
+work, scene, carries, engine = sys.argv[1:]
+rules = [{row["passes"]: row for row in json.load(open(f"{work}/r-{rule}.json"))["progress"]}
+         for rule in ("schedule", "chi-square")]
+for passes in (16, 128):
+    schedule, chi = (rule[passes] for rule in rules)
+    print(f"| `{scene}` | {carries} | {engine} | {50000 * passes:,} | {schedule['rel_mse']:.2e} | {chi['rel_mse']:.2e} "
+          f"| {chi['rel_mse'] / schedule['rel_mse']:.2f} | {chi['error_bound']:.3f} | {100 * chi['bounded_share']:.1f} % "
+          f"| {schedule['seconds']:.0f}, {chi['seconds']:.0f} |")
+PY
+            done
+        done
+    done
+}
+
 peer() {
     local tools=${XDG_CACHE_HOME:-$HOME/.cache}/photoncube/peer
     [[ -x $tools/bin/python ]] || python3 -m venv "$tools"
@@ -175,7 +220,7 @@ peer() {
     DRJIT_LIBLLVM_PATH=${llvm[0]} "$tools/bin/python" scripts/path_tracer.py target/release/photoncube "$work"
 }
 
-for table in lighting passes confidence target; do
+for table in lighting passes confidence target radius; do
     if [[ $what == all || $what == "$table" ]]; then
         "$table"
     fi

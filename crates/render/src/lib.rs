@@ -87,7 +87,7 @@ pub use performance::{Speed, f32_speed, forecast_clocks, gather_speed};
 pub use photon_map::{Candidates, MapError, PhotonMap, StoredPhoton};
 pub use progressive::{
     Balance, ErrorEstimate, Given, OtherPicture, PixelBound, Progressive, ProgressiveError,
-    ProgressiveOptions, ProgressiveState,
+    ProgressiveOptions, ProgressiveState, RadiusRule, UnknownRadiusRule,
 };
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
-use photoncube_render::{MAX_PHOTONS, ProgressiveOptions, ViewOptions};
+use photoncube_render::{MAX_PHOTONS, ProgressiveOptions, RadiusRule, ViewOptions};
 
 use super::numbers::{count, positive, seed};
 use super::{EngineArgs, LightArgs, Size};
@@ -33,6 +33,11 @@ measures on some rows what each contributes to the error, and takes the choice o
 given work. The same scene and seed give the same choice. Direct light comes from shadow rays and
 caustics from a map of their own, unless --direct map and --caustics map are given.
 
+With --radius-rule chi-square the pass keeps its radius, and each pixel has one of its own in the
+global map: its photons are counted over the passes in two rings of four quadrants, and its squared
+radius is halved when a chi-square test of 1 % says that they are not even. It pays where that map
+carries the caustics. A caustics' map of its own has the schedule. See docs/accuracy.md.
+
 Ctrl-C ends the run after the pass that is under way, and writes the picture of the passes so far.
 --resume needs the options of the run that began the picture: those of the passes, the engine and
 the light. --passes, --error-target, --confidence and the files may be others.")]
@@ -61,6 +66,10 @@ pub struct ProgressiveArgs {
     /// How the radius falls: the squared radius of pass i + 1 is (i + A) / (i + 1) of that before
     #[arg(long, default_value_t = ProgressiveOptions::default().alpha, value_name = "A")]
     pub alpha: f64,
+    /// How radii fall: schedule (one for all pixels, by --alpha) or chi-square (a pixel's squared radius is halved when its photons are not
+    /// spread evenly) [default: chi-square with --caustics map, else schedule]
+    #[arg(long, value_name = "RULE")]
+    pub radius_rule: Option<RadiusRule>,
     /// Picture size in pixels
     #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
     pub size: Size,

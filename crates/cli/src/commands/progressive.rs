@@ -9,7 +9,8 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, ensure};
 use photoncube_render::{
     Area, Balance, Caustics, DirectLight, ErrorEstimate, Estimator, Given, Image, Lighting,
-    Progressive, ProgressiveOptions, Scene, ViewOptions, ball_errors, error_map, luminance,
+    Progressive, ProgressiveOptions, RadiusRule, Scene, ViewOptions, ball_errors, error_map,
+    luminance,
 };
 use serde::{Deserialize, Serialize};
 
@@ -65,6 +66,9 @@ struct Report {
     photons_per_pass: u64,
     samples_per_axis: u32,
     alpha: f64,
+    radius_rule: String,
+    /// `None` by the schedule.
+    halvings_mean: Option<f64>,
     confidence: f64,
     error_target: Option<f64>,
     query_points: u64,
@@ -123,6 +127,9 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         },
         ProgressiveOptions {
             photons: balance.photons,
+            rule: args
+                .radius_rule
+                .unwrap_or_else(|| RadiusRule::of(&lighting)),
             ..options(args)
         },
     );
@@ -147,7 +154,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     }
     let progressive = Progressive::new(&scene, engine, lighting, view, options)?;
     let keeper = args.state.clone().map(|path| {
-        let settings = kept::settings(args, &scene, engine, &lighting, &balance);
+        let settings = kept::settings(args, &scene, engine, &lighting, &balance, options.rule);
         Keeper::new(path, settings)
     });
     let mut work = Work {
@@ -181,6 +188,8 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         photons_per_pass: balance.photons,
         samples_per_axis: balance.samples_per_axis,
         alpha: args.alpha,
+        radius_rule: options.rule.to_string(),
+        halvings_mean: work.progressive.halvings_mean(),
         confidence: args.confidence,
         error_target: args.error_target,
         query_points: stats.query_points,

@@ -108,7 +108,7 @@ impl Estimator {
             | Self::Smooth {
                 kernel: Kernel::Rectangle,
             } => vec![steps.radius_sq],
-            Self::Inner => vec![steps.inner_radius_sq()],
+            Self::Halved(times) => vec![steps.halved_radius_sq(*times)],
             Self::Ladder(ladder) => ladder.radii_sq(steps.radius_sq),
             Self::KNearest { .. } | Self::Smooth { .. } => return None,
         };
@@ -131,7 +131,7 @@ impl Estimator {
     pub(crate) fn radius(&self, radius: f64) -> Option<f64> {
         match self {
             Self::FixedRadius => Some(radius),
-            Self::Inner => Some(radius / SQRT_2),
+            Self::Halved(times) => Some(halved(radius, *times)),
             Self::KNearest { .. } | Self::Smooth { .. } | Self::Ladder(_) => None,
         }
     }
@@ -145,8 +145,8 @@ impl Estimator {
             | Self::Smooth {
                 kernel: Kernel::Rectangle,
             } => Ok(estimate_f64(map, query)),
-            Self::Inner => walk(map, query, 1, |near| {
-                near.fixed_radius(radius / SQRT_2, Kernel::Rectangle)
+            Self::Halved(times) => walk(map, query, 1, |near| {
+                near.fixed_radius(halved(radius, *times), Kernel::Rectangle)
             }),
             Self::KNearest { k } => {
                 walk(map, query, 1, |near| near.k_nearest(*k, Kernel::Rectangle))
@@ -171,11 +171,21 @@ impl Estimator {
             | Self::Smooth {
                 kernel: Kernel::Rectangle,
             } => steps.fixed_radius(gather),
-            Self::Inner => steps.inner(gather),
+            Self::Halved(times) => steps.halved(*times, gather),
             Self::KNearest { k } => steps.k_nearest(*k, gather),
             Self::Smooth { kernel } => Err(UnfitEstimator::SmoothInIntegers(*kernel).into()),
             Self::Ladder(ladder) => steps.ladder(ladder, gather),
         }
+    }
+}
+
+/// The radius whose square is that of `radius`, halved `times` times.
+pub(crate) fn halved(radius: f64, times: u32) -> f64 {
+    // Powers of two round nothing.
+    let even = radius * 0.5_f64.powi((times / 2) as i32);
+    match times % 2 {
+        0 => even,
+        _ => even / SQRT_2,
     }
 }
 

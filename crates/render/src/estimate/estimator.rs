@@ -15,9 +15,9 @@ pub enum Estimator {
     /// The map's search radius and the rectangle kernel: eq. 2 of the paper.
     #[default]
     FixedRadius,
-    /// The rectangle kernel at half the squared search radius. [`crate::Progressive`] estimates bias from it; on
-    /// the command line it has no name.
-    Inner,
+    /// The rectangle kernel at the squared search radius, halved this many times. [`crate::Progressive`] estimates bias from
+    /// it; on the command line it has no name.
+    Halved(u32),
     /// The rectangle kernel with the distance of the k-th nearest photon as the radius, at most the map's
     /// search radius: eq. 1 of the paper. [`crate::Neighbourhood::k_nearest`] states which photons it sums.
     KNearest {
@@ -85,6 +85,17 @@ impl Estimator {
         }
     }
 
+    /// This estimate at the squared search radius halved `times` times more. Others than those of one given radius have no such
+    /// form, and stay as they are.
+    pub(crate) fn halved(&self, times: u32) -> Self {
+        match (self, times) {
+            (estimator, 0) => estimator.clone(),
+            (Self::FixedRadius, times) => Self::Halved(times),
+            (Self::Halved(before), times) => Self::Halved(before + times),
+            (other, _) => other.clone(),
+        }
+    }
+
     /// Checks that `engine` can make the estimate.
     ///
     /// # Errors
@@ -111,7 +122,7 @@ impl fmt::Display for Estimator {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::FixedRadius => write!(f, "fixed"),
-            Self::Inner => write!(f, "inner"),
+            Self::Halved(times) => write!(f, "halved:{times}"),
             Self::KNearest { k } => write!(f, "knn:{k}"),
             Self::Smooth { kernel } => write!(f, "{kernel}"),
             Self::Ladder(ladder) => {

@@ -86,18 +86,22 @@ impl Steps {
         at(self.radius_sq, self.disc_area, gather)
     }
 
-    /// Estimates from one gather at half the squared search radius.
+    /// Estimates from one gather at the squared search radius, halved `times` times.
     ///
     /// # Errors
     /// The error of `gather`.
-    pub fn inner<E>(&self, gather: impl FnMut(u32) -> Result<Disc, E>) -> Result<Estimate, E> {
-        let radius_sq = self.inner_radius_sq();
+    pub fn halved<E>(
+        &self,
+        times: u32,
+        gather: impl FnMut(u32) -> Result<Disc, E>,
+    ) -> Result<Estimate, E> {
+        let radius_sq = self.halved_radius_sq(times);
         at(radius_sq, self.area_of(radius_sq), gather)
     }
 
-    /// Half the squared search radius, in whole steps.
-    pub fn inner_radius_sq(&self) -> u32 {
-        self.radius_sq / 2
+    /// The squared search radius, halved `times` times, in whole steps, at least one.
+    pub fn halved_radius_sq(&self, times: u32) -> u32 {
+        self.radius_sq.checked_shr(times).unwrap_or(0).max(1)
     }
 
     /// Estimates at the k-th photon.

@@ -21,10 +21,13 @@ mod integers;
 mod kernel;
 mod ladder;
 mod neighbourhood;
+mod sectors;
 
 pub use bisection::{Bisection, smallest_radius_sq};
+pub(crate) use estimates::halved;
 pub use estimator::{Estimator, MIN_K, UnfitEstimator, UnknownEstimator};
 pub(crate) use gather::{Estimate, Refusal, disc_area, estimate_f64};
 pub use kernel::Kernel;
 pub use ladder::{Ladder, LadderError, MAX_RUNGS, Rung};
 pub use neighbourhood::{EstimatorError, KernelEstimate, Near, Neighbourhood};
+pub(crate) use sectors::{SECTORS, Sectors, sectors};

@@ -129,7 +129,7 @@ impl Pilot<'_> {
             });
             maps.push(PhotonMaps::new(self.scene, found, self.lighting, radii)?);
         }
-        let both = [Estimator::FixedRadius, Estimator::Inner];
+        let both = [Estimator::FixedRadius, Estimator::Halved(1)];
         let [first, second] =
             [&maps[0], &maps[1]].map(|maps| self.render(maps, seeds[0], 1, &both));
         let (first, second) = (first?, second?);

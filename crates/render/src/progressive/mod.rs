@@ -6,6 +6,11 @@
 //! falls as i^-alpha and its bias as i^(alpha - 1). Passes are independent of one another, so a pass is a
 //! picture as [`crate::render_lit`] makes it, by any engine.
 //!
+//! # Where light is sharp
+//! By the chi-square rule ([`RadiusRule::ChiSquare`]) each pixel has a radius of its own in the global map. It stays while the pixel's photons
+//! are spread evenly and falls where they are not; see `uniformity.rs`. All passes then have the radius of the first, of which the
+//! pixels take a half, a quarter, ... of the square. It is for maps that carry the caustics.
+//!
 //! # The error's estimate
 //! After Hachisuka, Jarosz and Jensen, "A Progressive Error Estimation Framework for Photon Density
 //! Estimation" (2010): the error is the sum of a bias, which is estimated, and of noise, which the spread of
@@ -34,19 +39,24 @@
 mod balance;
 mod error;
 mod pixel;
+mod rule;
 mod state;
+mod uniformity;
 
 use glam::DVec3;
 use thiserror::Error;
 
 pub use self::balance::{Balance, Given};
 pub use self::error::{ErrorEstimate, PixelBound};
+pub use self::rule::{RadiusRule, UnknownRadiusRule};
 pub use self::state::{OtherPicture, ProgressiveState};
 
 use self::pixel::{Pixel, significant_ratio};
+use self::uniformity::Uniformity;
 use crate::estimate::Estimator;
 use crate::image::Image;
 use crate::lighting::{Lighting, PhotonMaps, Radii};
+use crate::metrics::Moments;
 use crate::photon_map::MapError;
 use crate::render::{Engine, Light, RenderError, RenderStats, Renderer};
 use crate::scene::Scene;
@@ -64,6 +74,8 @@ pub struct ProgressiveOptions {
     pub alpha: f64,
     /// The seed of the first pass; each next pass has the next seed.
     pub seed: u64,
+    /// How the radii in the global map fall. In a caustics' map of its own they fall by the schedule.
+    pub rule: RadiusRule,
 }
 
 /// 200,000 photons a pass, 100 of them in range at first, alpha 2/3, with which noise and bias fall as i^(-1/3) each.
@@ -74,6 +86,7 @@ impl Default for ProgressiveOptions {
             in_range: 100.0,
             alpha: 2.0 / 3.0,
             seed: 1,
+            rule: RadiusRule::Schedule,
         }
     }
 }
@@ -113,6 +126,8 @@ pub struct Progressive<'a> {
     photons: u64,
     stats: RenderStats,
     pixels: Vec<Pixel>,
+    /// The radii of the pixels by the chi-square rule; empty by the schedule, and before the first pass.
+    uniformity: Vec<Uniformity>,
 }
 
 impl<'a> Progressive<'a> {
@@ -143,6 +158,7 @@ impl<'a> Progressive<'a> {
             photons: 0,
             stats: RenderStats::default(),
             pixels: Vec::new(),
+            uniformity: Vec::new(),
         })
     }
 
@@ -157,11 +173,15 @@ impl<'a> Progressive<'a> {
             seed,
         };
         let trace = trace(self.scene, &options, &|_| ())?;
+        let shrunk = self.shrunk();
         let first = self.radii.get_or_insert_with(|| {
             Radii::of(self.scene, &trace, &self.lighting, self.options.in_range)
         });
         first.find_caustic(&trace, &self.lighting);
-        let radii = first.scaled(self.shrunk_sq.sqrt());
+        let radii = Radii {
+            global: first.global * shrunk,
+            ..first.scaled(self.shrunk_sq.sqrt())
+        };
         let maps = PhotonMaps::new(self.scene, trace, &self.lighting, radii)?;
         self.photons += maps.photons() as u64;
         self.add(&maps, seed)?;
@@ -173,6 +193,7 @@ impl<'a> Progressive<'a> {
 
     /// Renders a pass at both radii and adds it to the pixels.
     fn add(&mut self, maps: &PhotonMaps, seed: u64) -> Result<(), RenderError> {
+        let halvings = self.halvings();
         let light = Light {
             lighting: &self.lighting,
             global: &maps.global,
@@ -181,14 +202,50 @@ impl<'a> Progressive<'a> {
         };
         let view = ViewOptions { seed, ..self.view };
         let renderer = Renderer::new(self.scene, light, self.engine, &view)?;
-        let rendered = renderer.render(&[Estimator::FixedRadius, Estimator::Inner], &|_| ())?;
+        let renderer = match self.options.rule {
+            RadiusRule::Schedule => renderer,
+            RadiusRule::ChiSquare => renderer.with_halvings(&halvings),
+        };
+        let rendered = renderer.render(&[Estimator::FixedRadius, Estimator::Halved(1)], &|_| ())?;
         let [whole, inner] = [0, 1].map(|index| rendered.images[index].pixels());
         self.pixels.resize(whole.len(), Pixel::default());
         for ((pixel, whole), inner) in self.pixels.iter_mut().zip(whole).zip(inner) {
             pixel.push(*whole, *inner);
         }
         self.stats += rendered.stats;
+        let most = renderer.most_halvings();
+        for (pixel, sectors) in self.uniformity.iter_mut().zip(&rendered.sectors) {
+            pixel.push(sectors, most);
+        }
         Ok(())
+    }
+
+    /// The global radius of the next pass over that of the first. By the chi-square rule it stays, and pixels have smaller ones.
+    fn shrunk(&self) -> f64 {
+        match self.options.rule {
+            RadiusRule::Schedule => self.shrunk_sq.sqrt(),
+            RadiusRule::ChiSquare => 1.0,
+        }
+    }
+
+    /// How many times the squared radius of each pixel is halved in the next pass.
+    fn halvings(&mut self) -> Vec<u8> {
+        let pixels = match self.options.rule {
+            RadiusRule::Schedule => 0,
+            RadiusRule::ChiSquare => self.view.width as usize * self.view.height as usize,
+        };
+        self.uniformity.resize(pixels, Uniformity::default());
+        let halvings = self.uniformity.iter().map(|pixel| pixel.halvings);
+        halvings.collect()
+    }
+
+    /// How many times the squared radius of a pixel is halved by the chi-square rule, on average; `None` by the schedule, and before
+    /// the first pass.
+    #[must_use]
+    pub fn halvings_mean(&self) -> Option<f64> {
+        let halvings = self.uniformity.iter().map(|pixel| pixel.halvings.into());
+        let mean = halvings.collect::<Moments>().mean();
+        (!self.uniformity.is_empty()).then_some(mean)
     }
 
     /// The number of passes made.
@@ -203,10 +260,13 @@ impl<'a> Progressive<'a> {
         self.photons
     }
 
-    /// The radius of the last pass, in scene units; `None` before the first.
+    /// The radius of the last pass, in scene units; `None` before the first. By the chi-square rule it is the largest of a pixel.
     #[must_use]
     pub fn radius(&self) -> Option<f64> {
-        let next = self.radii?.global * self.shrunk_sq.sqrt();
+        let next = self.radii?.global * self.shrunk();
+        if self.options.rule == RadiusRule::ChiSquare {
+            return Some(next);
+        }
         let pass = self.passes as f64;
         Some(next * ((pass + 1.0) / (pass + self.options.alpha)).sqrt())
     }

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::Progressive;
 use super::pixel::Pixel;
+use super::uniformity::Uniformity;
 use crate::lighting::Radii;
 use crate::metrics::Moments;
 use crate::render::RenderStats;
@@ -25,6 +26,7 @@ pub struct ProgressiveState {
     shrunk_sq: f64,
     stats: RenderStats,
     pixels: Vec<[f64; NUMBERS]>,
+    uniformity: Vec<Uniformity>,
 }
 
 impl ProgressiveState {
@@ -56,6 +58,7 @@ impl Progressive<'_> {
             shrunk_sq: self.shrunk_sq,
             stats: self.stats,
             pixels: self.pixels.iter().map(Pixel::numbers).collect(),
+            uniformity: self.uniformity.clone(),
         }
     }
 
@@ -77,6 +80,7 @@ impl Progressive<'_> {
         (self.passes, self.photons) = (state.passes, state.photons);
         (self.radii, self.shrunk_sq) = (state.radii, state.shrunk_sq);
         self.stats = state.stats;
+        self.uniformity = state.uniformity.clone();
         Ok(())
     }
 }

@@ -11,6 +11,74 @@ const VIEW: ViewOptions = ViewOptions {
     seed: 0,
 };
 
+/// The picture after `passes` passes by a rule.
+fn by_rule(
+    scene: &Scene,
+    engine: Engine<'_>,
+    lighting: Lighting,
+    rule: RadiusRule,
+    [photons, passes]: [u64; 2],
+) -> (Image, Option<f64>) {
+    let options = ProgressiveOptions {
+        rule,
+        ..options(photons, 2.0 / 3.0)
+    };
+    let view = ViewOptions {
+        samples_per_axis: 2,
+        ..VIEW
+    };
+    let mut progressive = Progressive::new(scene, engine, lighting, view, options).unwrap();
+    (0..passes).for_each(|_| progressive.pass().unwrap());
+    (progressive.image(), progressive.halvings_mean())
+}
+
+/// All light from the map: the ring's caustic and its shadow are sharp.
+#[test]
+fn sharp_light_by_the_map_has_less_error_by_the_chi_square_rule() {
+    let scene = Scene::built_in("ring").unwrap();
+    let rays = Lighting {
+        direct: crate::DirectLight::Rays(8),
+        caustics: crate::Caustics::OWN,
+        ..Lighting::default()
+    };
+    let (schedule, chi_square) = (RadiusRule::Schedule, RadiusRule::ChiSquare);
+    let (truth, none) = by_rule(&scene, Engine::F64, rays, schedule, [200_000, 16]);
+    assert_eq!(none, None);
+    let mask = light_mask(&truth, crate::LIGHT_RADIANCE);
+    for engine in [Engine::F64, Engine::from(&PHOTON_FORMATS[0])] {
+        let [before, now] = [schedule, chi_square].map(|rule| {
+            let (image, _) = by_rule(&scene, engine, Lighting::default(), rule, [20_000, 64]);
+            rel_mse(&image, &truth, &mask).unwrap()
+        });
+        // It falls to less than half, so neither the truth's own error nor other photons decide.
+        assert!(now < 0.5 * before, "{now} {before}");
+    }
+}
+
+#[test]
+fn even_light_keeps_its_radius_by_the_chi_square_rule() {
+    // Only the borders of the floor are uneven, which most of the picture does not see.
+    let scene = Scene::built_in("cornell").unwrap();
+    let lighting = Lighting::default();
+    let of = |passes| {
+        let rule = RadiusRule::ChiSquare;
+        by_rule(&scene, Engine::F64, lighting, rule, [2_000, passes])
+    };
+    // The first pass has the plain radius everywhere, and with it the plain picture.
+    let (first, _) = of(1);
+    let plain = by_rule(
+        &scene,
+        Engine::F64,
+        lighting,
+        RadiusRule::Schedule,
+        [2_000, 1],
+    )
+    .0;
+    assert_eq!(first, plain);
+    let [early, late] = [2, 16].map(|passes| of(passes).1.unwrap());
+    assert!(early < late && late < 3.0, "{early} {late}");
+}
+
 fn options(photons: u64, alpha: f64) -> ProgressiveOptions {
     ProgressiveOptions {
         photons,
@@ -106,11 +174,18 @@ fn a_picture_that_is_continued_is_that_of_one_run() {
         caustics: crate::Caustics::Own(20.0),
         ..Lighting::default()
     };
-    for (scene, engine, lighting) in [
-        ("cornell", Engine::F64, Lighting::default()),
-        ("ring", Engine::from(format), own),
+    let (schedule, chi_square) = (RadiusRule::Schedule, RadiusRule::ChiSquare);
+    for (scene, engine, lighting, rule) in [
+        ("cornell", Engine::F64, Lighting::default(), schedule),
+        ("ring", Engine::from(format), own, schedule),
+        ("ring", Engine::F64, Lighting::default(), chi_square),
+        ("cornell", Engine::from(format), own, chi_square),
     ] {
         let scene = Scene::built_in(scene).unwrap();
+        let options = |photons, alpha| ProgressiveOptions {
+            rule,
+            ..options(photons, alpha)
+        };
         let new = || Progressive::new(&scene, engine, lighting, VIEW, options(2_000, 0.6)).unwrap();
         let mut whole = new();
         (0..5).for_each(|_| whole.pass().unwrap());

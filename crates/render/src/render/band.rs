@@ -11,7 +11,7 @@ use crate::view::{QueryPoint, ViewOptions};
 pub(crate) const BAND_ROWS: u32 = 16;
 
 /// Query points, each with the index of its pixel in the band.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Queries {
     pixels: Vec<u32>,
     points: Vec<QueryPoint>,
@@ -26,6 +26,24 @@ impl Queries {
     /// The index in the band of the pixel of a query.
     pub fn pixel(&self, query: usize) -> u32 {
         self.pixels[query]
+    }
+
+    /// The queries of the pixels that `is_taken`, in their order.
+    pub fn of_pixels(&self, is_taken: impl Fn(u32) -> bool) -> Self {
+        let mut taken = Self::default();
+        for (pixel, point) in self.pixels.iter().zip(&self.points) {
+            if is_taken(*pixel) {
+                taken.push(*pixel, *point);
+            }
+        }
+        taken
+    }
+
+    /// The first query of each pixel that has one, with its pixel.
+    pub fn firsts(&self) -> impl Iterator<Item = (u32, &QueryPoint)> {
+        let is_first = |index: &usize| *index == 0 || self.pixels[index - 1] != self.pixels[*index];
+        let firsts = (0..self.pixels.len()).filter(is_first);
+        firsts.map(|index| (self.pixels[index], &self.points[index]))
     }
 
     fn push(&mut self, pixel: u32, point: QueryPoint) {

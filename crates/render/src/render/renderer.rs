@@ -1,5 +1,7 @@
 //! Stage 5: renders bands of a picture, with every map and every requested estimator.
 
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -8,13 +10,17 @@ use rayon::prelude::*;
 
 use super::band::{BAND_ROWS, Band, Queries};
 use super::{Engine, Light, RenderError, RenderStats};
-use crate::estimate::{Estimate, Estimator};
+use crate::estimate::{Estimate, Estimator, Sectors, halved, sectors};
 use crate::image::Image;
 use crate::lighting::{Area, Fronts, Lit};
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::scene::Scene;
 use crate::view::ViewOptions;
+
+/// The least squared radius, in squared steps, of a radius that is halved: a disc of this or a larger one has as many grid points as
+/// its area, within a thirtieth.
+const LEAST_RADIUS_SQ: u32 = 128;
 
 /// A photon map with its photons in the engine's integers.
 struct Source<'a> {
@@ -38,16 +44,27 @@ pub(crate) struct Renderer<'a> {
     global: Source<'a>,
     caustic: Option<Source<'a>>,
     options: &'a ViewOptions,
+    /// For each pixel, how many times its squared radius in the global map is halved; `None` where all have the map's radius.
+    halvings: Option<&'a [u8]>,
 }
 
 /// Pictures from the same view rays, one for each estimator.
 pub(crate) struct Rendered {
     pub images: Vec<Image>,
+    /// The photons of the global map in range of the first query of each pixel; empty where all pixels have the map's radius.
+    pub sectors: Vec<Sectors>,
     pub stats: RenderStats,
 }
 
 /// The pixels of a band, for each estimator.
 type Pixels = Vec<Vec<DVec3>>;
+
+/// What is rendered of a band.
+struct Part {
+    pixels: Pixels,
+    sectors: Vec<Sectors>,
+    stats: RenderStats,
+}
 
 impl<'a> Renderer<'a> {
     /// # Errors
@@ -69,6 +86,22 @@ impl<'a> Renderer<'a> {
             global: Source::new(light.global, engine)?,
             caustic: caustic.transpose()?,
             options,
+            halvings: None,
+        })
+    }
+
+    /// Gives each pixel a radius of its own in the global map: its squared radius is halved as often as `halvings` says, row by row.
+    pub fn with_halvings(self, halvings: &'a [u8]) -> Self {
+        let halvings = Some(halvings);
+        Self { halvings, ..self }
+    }
+
+    /// The most times that a squared radius may be halved, with a gather at half of that.
+    pub fn most_halvings(&self) -> u8 {
+        let quantised = self.global.quantised.as_ref();
+        quantised.map_or(u8::MAX, |map| {
+            let factor = map.radius_sq() / LEAST_RADIUS_SQ;
+            factor.checked_ilog2().unwrap_or(0).saturating_sub(1) as u8
         })
     }
 
@@ -116,20 +149,23 @@ impl<'a> Renderer<'a> {
         };
         let bands: Result<Vec<_>, RenderError> = bands.into_par_iter().map(band).collect();
         let mut pixels: Pixels = vec![Vec::new(); estimators.len()];
+        let mut sectors = Vec::new();
         let mut stats = RenderStats {
             photons_without_power: self.photons_without_power(),
             ..RenderStats::default()
         };
-        for (band, band_stats) in bands? {
-            for (all, band) in pixels.iter_mut().zip(band) {
+        for band in bands? {
+            for (all, band) in pixels.iter_mut().zip(band.pixels) {
                 all.extend(band);
             }
-            stats += band_stats;
+            sectors.extend(band.sectors);
+            stats += band.stats;
         }
         let images = pixels.into_iter();
         let images = images.map(|pixels| Image::from_rows(self.options.width, pixels));
         Ok(Rendered {
             images: images.collect(),
+            sectors,
             stats,
         })
     }
@@ -150,25 +186,25 @@ impl<'a> Renderer<'a> {
     }
 
     /// Renders rows `first` to `end`.
-    fn band(
-        &self,
-        first: u32,
-        end: u32,
-        estimators: &[Estimator],
-    ) -> Result<(Pixels, RenderStats), RenderError> {
+    fn band(&self, first: u32, end: u32, estimators: &[Estimator]) -> Result<Part, RenderError> {
         let band = Band::new(&self.lit, self.options, first, end);
         let mut stats = RenderStats {
             query_points: band.query_points,
             ..RenderStats::default()
         };
+        let parts = self.parts(&band.global, first);
         let mut pixels = Vec::new();
         for estimator in estimators {
             let mut radiance = band.known.clone();
             let caustic = self
                 .caustic
                 .as_ref()
-                .map(|caustic| (caustic, &band.caustic));
-            for (source, queries) in [(&self.global, &band.global)].into_iter().chain(caustic) {
+                .map(|caustic| (caustic, 0, &band.caustic));
+            let global = parts
+                .iter()
+                .map(|(halvings, queries)| (&self.global, *halvings, &**queries));
+            for (source, halvings, queries) in global.chain(caustic) {
+                let estimator = &estimator.halved(halvings);
                 let found = self.estimates(estimator, source, queries, first)?;
                 self.shade(estimator, source, queries, &found, &mut radiance);
                 found.iter().for_each(|found| stats += self.stats_of(found));
@@ -177,7 +213,46 @@ impl<'a> Renderer<'a> {
             radiance.iter_mut().for_each(|pixel| *pixel /= samples);
             pixels.push(radiance);
         }
-        Ok((pixels, stats))
+        let sectors = self.sectors(&band, first);
+        Ok(Part {
+            pixels,
+            sectors,
+            stats,
+        })
+    }
+
+    /// The halvings of the pixels of a band whose first row is `first`.
+    fn halvings(&self, first: u32) -> Option<&[u8]> {
+        let before = first as usize * self.options.width as usize;
+        self.halvings.map(|all| &all[before..])
+    }
+
+    /// The queries of a band by the halvings of their pixels.
+    fn parts<'q>(&self, queries: &'q Queries, first: u32) -> Vec<(u32, Cow<'q, Queries>)> {
+        let Some(halvings) = self.halvings(first) else {
+            return vec![(0, Cow::Borrowed(queries))];
+        };
+        let of = |pixel: u32| halvings[pixel as usize];
+        let found: BTreeSet<u8> = queries.firsts().map(|(pixel, _)| of(pixel)).collect();
+        let part = |times: u8| {
+            let queries = queries.of_pixels(|pixel| of(pixel) == times);
+            (u32::from(times), Cow::Owned(queries))
+        };
+        found.into_iter().map(part).collect()
+    }
+
+    /// The photons in range of the first query of each pixel of a band.
+    fn sectors(&self, band: &Band, first: u32) -> Vec<Sectors> {
+        let Some(halvings) = self.halvings(first) else {
+            return Vec::new();
+        };
+        let map = self.global.map;
+        let mut found = vec![Sectors::default(); band.known.len()];
+        for (pixel, query) in band.global.firsts() {
+            let times = u32::from(halvings[pixel as usize]);
+            found[pixel as usize] = sectors(map, query, halved(map.radius(), times));
+        }
+        found
     }
 
     /// The estimates at the queries of a band whose first row is `first`.

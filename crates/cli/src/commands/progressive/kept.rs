@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use photoncube_render::{Balance, Engine, Image, Lighting, ProgressiveState, Scene};
+use photoncube_render::{Balance, Engine, Image, Lighting, ProgressiveState, RadiusRule, Scene};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -17,7 +17,7 @@ use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
 use crate::files;
 
 /// The first line. The number is that of the format and changes with it.
-const FIRST_LINE: &[u8] = b"photoncube progressive state 2\n";
+const FIRST_LINE: &[u8] = b"photoncube progressive state 3\n";
 
 /// The bytes of SHA-256.
 const DIGEST_BYTES: usize = 32;
@@ -33,6 +33,7 @@ pub fn settings(
     engine: Engine<'_>,
     lighting: &Lighting,
     balance: &Balance,
+    rule: RadiusRule,
 ) -> Settings {
     let own = [
         ("photoncube version", env!("CARGO_PKG_VERSION").to_owned()),
@@ -40,6 +41,7 @@ pub fn settings(
         ("--photons", balance.photons.to_string()),
         ("--in-range", args.in_range.to_string()),
         ("--alpha", args.alpha.to_string()),
+        ("--radius-rule", rule.to_string()),
         ("--size", args.size.to_string()),
         ("--samples", balance.samples_per_axis.to_string()),
         ("--seed", args.seed.to_string()),

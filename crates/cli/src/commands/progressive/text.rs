@@ -72,8 +72,15 @@ pub(super) fn text(report: &Report) -> String {
 fn pass_line(report: &Report) -> String {
     let (photons, axis) = (report.photons_per_pass, report.samples_per_axis);
     let direct = report.light.direct();
+    let radii = report.halvings_mean.map(|mean| {
+        format!(
+            "The radius is the largest: by the chi-square rule a pixel's squared radius is halved {mean:.1} times, on\n\
+             average.\n"
+        )
+    });
     format!(
-        "A pass: at least {photons} photons traced, {axis} x {axis} view rays a pixel, direct light by {direct}.\n"
+        "A pass: at least {photons} photons traced, {axis} x {axis} view rays a pixel, direct light by {direct}.\n{}",
+        radii.unwrap_or_default()
     )
 }
 
@@ -136,6 +143,8 @@ mod tests {
             photons_per_pass: 5000,
             samples_per_axis: 2,
             alpha: 0.5,
+            radius_rule: "schedule".to_owned(),
+            halvings_mean: None,
             confidence: 0.9,
             error_target: None,
             query_points: 1,
@@ -173,6 +182,15 @@ mod tests {
             ..report(None)
         });
         assert!(biased.contains(BIAS_RULES), "{biased}");
+        assert!(!without.contains("chi-square"), "{without}");
+        let by_rule = text(&Report {
+            halvings_mean: Some(2.34),
+            ..report(None)
+        });
+        assert!(
+            by_rule.contains("halved 2.3 times") && by_rule.lines().all(|line| line.len() <= 100),
+            "{by_rule}"
+        );
         assert!(without.ends_with("o.png\nplot.svg\n"), "{without}");
         let with = text(&report(Some(0.01)));
         assert!(

@@ -312,7 +312,7 @@ fn queries_together_are_what_they_are_alone() {
         let quantised = QuantisedMap::new(&map, &format(name).into()).unwrap();
         let quantised = Some(&quantised);
         let ladder: Estimator = "ladder:3:cone".parse().unwrap();
-        for estimator in [Estimator::FixedRadius, Estimator::Inner, ladder] {
+        for estimator in [Estimator::FixedRadius, Estimator::Halved(1), ladder] {
             let together = estimator.estimate_all(&map, quantised, &queries).unwrap();
             assert!(together.iter().any(|found| found.skipped > 0), "{name}");
             for (query, found) in queries.iter().zip(together) {
@@ -334,7 +334,7 @@ fn the_inner_disc_is_half_of_the_disc() {
     let queries = view_queries(&scene, &VIEW).unwrap();
     for engine in integer_engines().into_iter().chain([Engine::F64]) {
         let quantised = engine.quantised(&map).unwrap();
-        let [whole, inner] = [Estimator::FixedRadius, Estimator::Inner].map(|estimator| {
+        let [whole, inner] = [Estimator::FixedRadius, Estimator::Halved(1)].map(|estimator| {
             let found = estimator
                 .estimate_all(&map, quantised.as_ref(), &queries)
                 .unwrap();
