@@ -14,6 +14,7 @@
 //!
 //! Integer sums do not depend on the order, so leaves may be in any order.
 
+mod around;
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 #[cfg(target_arch = "x86_64")]
