@@ -18,6 +18,7 @@ mod data;
 mod found;
 #[cfg(target_arch = "x86_64")]
 mod grid;
+mod peers;
 mod table;
 mod threads;
 mod tree;
@@ -35,7 +36,15 @@ const SCALING: &str = "scaling";
 /// The argument that measures the gain of a second thread.
 const SECOND_THREAD: &str = "threads";
 
+/// The argument that measures the gather beside its strongest peer in turn; a filter may follow.
+const PEERS: &str = "peers";
+
 fn main() {
+    if let Some(at) = std::env::args().position(|argument| argument == PEERS) {
+        let filter = std::env::args().nth(at + 1).unwrap_or_default();
+        peers::measure(filter.trim_start_matches("--bench"));
+        return;
+    }
     if std::env::args().any(|argument| argument == SECOND_THREAD) {
         threads::measure();
         return;
