@@ -18,6 +18,9 @@ mod data;
 mod found;
 #[cfg(target_arch = "x86_64")]
 mod grid;
+#[cfg(target_arch = "x86_64")]
+mod limit;
+#[cfg(target_arch = "x86_64")]
 mod peers;
 mod table;
 mod threads;
@@ -37,9 +40,11 @@ const SCALING: &str = "scaling";
 const SECOND_THREAD: &str = "threads";
 
 /// The argument that measures the gather beside its strongest peer in turn; a filter may follow.
+#[cfg(target_arch = "x86_64")]
 const PEERS: &str = "peers";
 
 fn main() {
+    #[cfg(target_arch = "x86_64")]
     if let Some(at) = std::env::args().position(|argument| argument == PEERS) {
         let filter = std::env::args().nth(at + 1).unwrap_or_default();
         peers::measure(filter.trim_start_matches("--bench"));

@@ -1,7 +1,7 @@
-//! Measures how much faster the gather is than its strongest peer: `scripts/bench.sh peers`.
+//! Measures the gather beside its strongest peer and the limit of the processor: `scripts/bench.sh peers`.
 //!
-//! As in `threads.rs`, the two gather in turn, and each round has its own ratio, because the speed of a shared
-//! computer changes within seconds.
+//! As in `threads.rs`, they are measured in turn, and each round has its own ratios, because the speed of a
+//! shared computer changes within seconds.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -10,6 +10,7 @@ use rayon::ThreadPoolBuilder;
 
 use crate::contest::{Contestant, contestants};
 use crate::data::{Data, Workload};
+use crate::limit::Limit;
 use crate::threads::quartiles;
 use crate::{format, side_by_side};
 
@@ -21,9 +22,9 @@ pub fn measure(filter: &str) {
     let pool = ThreadPoolBuilder::new().num_threads(1).build();
     let pool = pool.expect("threads");
     println!(
-        "| photons, in range | gather | rounds | M queries/s | G tests/s | queries/s to the f32 grid, median | first quartile \
-         | third quartile |\n\
-         | --- | --- | --- | --- | --- | --- | --- | --- |"
+        "| photons, in range | gather | rounds | M queries/s | G tests/s | queries/s to the f32 grid, median \
+         | first quartile | third quartile | G tests/s that the ports allow | share |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
     );
     let workloads = side_by_side();
     let named = workloads.iter().filter(|one| one.name().contains(filter));
@@ -40,20 +41,40 @@ fn measure_one(workload: &Workload) {
         return;
     };
     for one in all.iter().filter(|one| one.name().starts_with("fixed")) {
-        let found = one.gather(1);
-        let rounds: Vec<_> = (0..ROUNDS)
-            .map(|_| [seconds(one.as_ref()), seconds(grid.as_ref())])
-            .collect();
-        let [_, each, _] = quartiles(rounds.iter().map(|[one, _]| *one));
-        let [first, median, third] = quartiles(rounds.iter().map(|[one, grid]| grid / one));
-        println!(
-            "| {} | {} | {ROUNDS} | {:.2} | {:.2} | {median:.2} | {first:.2} | {third:.2} |",
-            workload.name(),
-            one.name(),
-            found.queries as f64 / each / 1e6,
-            found.tests as f64 / each / 1e9,
-        );
+        let line = line(one.as_ref(), grid.as_ref());
+        println!("| {} | {} | {ROUNDS} {line} |", workload.name(), one.name());
     }
+}
+
+/// The figures of one contestant.
+fn line(one: &dyn Contestant, grid: &dyn Contestant) -> String {
+    let found = one.gather(1);
+    let limit = Limit::of(one.name());
+    let rounds: Vec<_> = (0..ROUNDS)
+        .map(|_| {
+            let limit = limit.as_ref().map(Limit::photons_per_second);
+            (seconds(one), seconds(grid), limit)
+        })
+        .collect();
+    let [_, each, _] = quartiles(rounds.iter().map(|(one, ..)| *one));
+    let [first, median, third] = quartiles(rounds.iter().map(|(one, grid, _)| grid / one));
+    let tests = found.tests as f64;
+    let mut line = format!(
+        "| {:.2} | {:.2} | {median:.2} | {first:.2} | {third:.2} | ",
+        found.queries as f64 / each / 1e6,
+        tests / each / 1e9,
+    );
+    if limit.is_none() {
+        return line + "- | -";
+    }
+    let limits = || {
+        let limit = |(one, _, limit): &(f64, f64, Option<f64>)| Some((*one, (*limit)?));
+        rounds.iter().filter_map(limit)
+    };
+    let [_, allowed, _] = quartiles(limits().map(|(_, limit)| limit));
+    let [_, share, _] = quartiles(limits().map(|(one, limit)| tests / one / limit));
+    line += &format!("{:.1} | {:.0} %", allowed / 1e9, 100.0 * share);
+    line
 }
 
 /// The time of one gather of all queries.
