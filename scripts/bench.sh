@@ -4,7 +4,7 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-Usage: scripts/bench.sh [FILTER | scaling | threads | build [PHOTONS]...]
+Usage: scripts/bench.sh [FILTER | scaling | threads | peers [FILTER] | build [PHOTONS]...]
 
 Measures, in one run and on the same photons and queries, the fixed-point gather (with each set of
 instructions of this processor), a uniform grid of f32 photons in AVX2, and kiddo's kd-tree; on one
@@ -17,6 +17,10 @@ range and with one radius. Three to five minutes and several GB of memory.
 
 `threads` measures what a second thread gives, one thread and two in turn, beside what it gives to
 work that touches no memory. About three minutes.
+
+`peers` measures the gather and the grid in turn on one thread, 61 rounds each, and prints the median of the rounds'
+ratios, which other work on the machine changes little. Beside the tests a second it has those that the processor's
+instruction ports would allow, and the share reached. About a minute for each workload on a quiet machine; x86-64 only.
 
 `build` measures tracing, sorting and the planes, with the most memory that they take, and what the peers
 build from the same photons; each with the gather of 2^20 queries. PHOTONS are 1e5 1e6 1e7 if not given: up to four

@@ -35,7 +35,7 @@ readonly BOOK_REQUIREMENTS
 
 usage() {
     cat <<USAGE
-Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-core] [--book] [--where-book] [--help]
+Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-core] [--book] [--where-book] [--emulators] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
@@ -53,6 +53,8 @@ Changes nothing that is there already.
   --where-core the same for the programs that check cores
   --book       install only mdBook; this needs Python 3 with venv, and no Debian
   --where-book the same as --where for mdBook
+  --emulators  install only what scripts/instructions.sh needs: Debian's qemu-user and the C compiler and library for
+               64-bit Arm (about 250 MB), and Rust's library for it
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
@@ -319,7 +321,19 @@ setup_book() {
     : >"$environment/complete"
 }
 
-synthesis=0 asic=0 ccache=0 book=0 where=
+# Any version does: the emulators run tests, and give no figures. AVX2 needs QEMU 7.2, which is Debian 12's.
+setup_emulators() {
+    local wanted=()
+    command -v qemu-aarch64 >/dev/null || wanted+=(qemu-user)
+    command -v aarch64-linux-gnu-gcc >/dev/null || wanted+=(gcc-aarch64-linux-gnu)
+    [[ -e /usr/aarch64-linux-gnu/lib/libc.so.6 ]] || wanted+=(libc6-dev-arm64-cross)
+    ((${#wanted[@]} == 0)) || apt_install "${wanted[@]}"
+    command -v rustup >/dev/null || fail "no rustup to add Rust's library for 64-bit Arm with"
+    rustup target list --installed | grep -qx aarch64-unknown-linux-gnu ||
+        rustup target add aarch64-unknown-linux-gnu
+}
+
+synthesis=0 asic=0 ccache=0 book=0 emulators=0 where=
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
@@ -328,13 +342,14 @@ for argument in "$@"; do
         --where) where=$(python_environment) ;;
         --where-core) where=$(core_environment) ;;
         --book) book=1 ;;
+        --emulators) emulators=1 ;;
         --where-book) where=$(book_environment) ;;
         -h | --help)
             usage
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book or --help"
+            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book, --emulators or --help"
             exit 2
             ;;
     esac
@@ -346,6 +361,10 @@ if [[ -n $where ]]; then
 fi
 if ((book)); then
     setup_book
+    exit
+fi
+if ((emulators)); then
+    setup_emulators
     exit
 fi
 setup_packages

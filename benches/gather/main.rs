@@ -21,6 +21,10 @@ mod data;
 mod found;
 #[cfg(target_arch = "x86_64")]
 mod grid;
+#[cfg(target_arch = "x86_64")]
+mod limit;
+#[cfg(target_arch = "x86_64")]
+mod peers;
 mod table;
 mod threads;
 mod tree;
@@ -45,7 +49,17 @@ const SECOND_THREAD: &str = "threads";
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
 
+/// The argument that measures the gather beside its strongest peer in turn; a filter may follow.
+#[cfg(target_arch = "x86_64")]
+const PEERS: &str = "peers";
+
 fn main() {
+    #[cfg(target_arch = "x86_64")]
+    if let Some(at) = std::env::args().position(|argument| argument == PEERS) {
+        let filter = std::env::args().nth(at + 1).unwrap_or_default();
+        peers::measure(filter.trim_start_matches("--bench"));
+        return;
+    }
     let arguments: Vec<_> = std::env::args().collect();
     if let Some(place) = arguments.iter().position(|argument| argument == BUILD) {
         build::measure(&arguments[place + 1..]);

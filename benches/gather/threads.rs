@@ -33,7 +33,7 @@ pub fn measure() {
         "| photons, in range | work | rounds | two threads to one, median | first quartile | third quartile |\n\
          | --- | --- | --- | --- | --- | --- |"
     );
-    line("-", "arithmetic in registers", &ratios(&pools, arithmetic));
+    line("-", "arithmetic in registers", ratios(&pools, arithmetic));
     for photons in [100_000, 1_000_000] {
         let workload = Workload {
             title: Light::Uniform.name(),
@@ -47,13 +47,13 @@ pub fn measure() {
             let gather = || {
                 black_box(contestant.gather(contestant.every()));
             };
-            line(&workload.name(), contestant.name(), &ratios(&pools, gather));
+            line(&workload.name(), contestant.name(), ratios(&pools, gather));
         }
     }
 }
 
-/// The ratios of two threads to one, of all rounds, in ascending order.
-fn ratios(pools: &[ThreadPool; 2], work: impl Fn() + Sync) -> Vec<f64> {
+/// The quartiles of the ratios of two threads to one, over all rounds.
+fn ratios(pools: &[ThreadPool; 2], work: impl Fn() + Sync) -> [f64; 3] {
     let seconds = |pool: &ThreadPool| {
         pool.install(|| {
             let started = Instant::now();
@@ -65,24 +65,22 @@ fn ratios(pools: &[ThreadPool; 2], work: impl Fn() + Sync) -> Vec<f64> {
     pools.iter().for_each(|pool| {
         seconds(pool);
     });
-    let mut ratios: Vec<_> = (0..ROUNDS)
-        .map(|_| {
-            let [one, two] = [0, 1].map(|index| seconds(&pools[index]));
-            one / two
-        })
-        .collect();
-    ratios.sort_by(f64::total_cmp);
-    ratios
+    let ratios = (0..ROUNDS).map(|_| {
+        let [one, two] = [0, 1].map(|index| seconds(&pools[index]));
+        one / two
+    });
+    quartiles(ratios)
 }
 
-fn line(data: &str, work: &str, ratios: &[f64]) {
-    println!(
-        "| {data} | {work} | {} | {:.2} | {:.2} | {:.2} |",
-        ratios.len(),
-        ratios[ratios.len() / 2],
-        ratios[ratios.len() / 4],
-        ratios[ratios.len() * 3 / 4],
-    );
+/// The first quartile, the median and the third quartile.
+pub fn quartiles(values: impl Iterator<Item = f64>) -> [f64; 3] {
+    let mut values: Vec<_> = values.collect();
+    values.sort_by(f64::total_cmp);
+    [1, 2, 3].map(|quarter| values[values.len() * quarter / 4])
+}
+
+fn line(data: &str, work: &str, [first, median, third]: [f64; 3]) {
+    println!("| {data} | {work} | {ROUNDS} | {median:.2} | {first:.2} | {third:.2} |");
 }
 
 /// A generator of random numbers, in which each step depends on the one before, on all pieces in parallel.

@@ -2,7 +2,7 @@
 //!
 //! As in `avx2.rs`, all code is inlined into one function for which the processor's features are enabled.
 
-use core::arch::x86_64::{__m128i, __m512i, __mmask32};
+use core::arch::x86_64::{__m128i, __m256i, __m512i, __mmask32};
 
 use pulp::cast;
 use pulp::x86::V4;
@@ -33,19 +33,6 @@ pub(super) fn pair(simd: V4, first: __m512i, second: __m512i) -> __m512i {
     simd.avx512f._mm512_or_si512(first, second)
 }
 
-/// The sums of four lanes, as words of 32 bits.
-#[inline(always)]
-fn folded(simd: V4, sums: __m512i) -> __m128i {
-    let low = simd.avx512f._mm512_castsi512_si256(sums);
-    let high = simd.avx512f._mm512_extracti64x4_epi64::<1>(sums);
-    let eight = simd.avx2._mm256_add_epi16(low, high);
-    let low = simd.avx._mm256_castsi256_si128(eight);
-    let high = simd.avx2._mm256_extracti128_si256::<1>(eight);
-    // Less than 2^15, so that the sum is the right one with a sign too.
-    let four = simd.sse2._mm_add_epi16(low, high);
-    simd.sse2._mm_madd_epi16(four, simd.sse2._mm_set1_epi16(1))
-}
-
 /// The squared distances on one axis of a query from 32 boxes.
 #[inline(always)]
 fn box_squares(simd: V4, low: __m512i, high: __m512i, query: u16, shift: u32) -> __m512i {
@@ -65,24 +52,22 @@ fn box_squares(simd: V4, low: __m512i, high: __m512i, query: u16, shift: u32) ->
 /// The sums of a tray.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Sums<const PLANES: usize> {
-    /// 32 words a plane, one for each photon of a leaf.
-    planes: [__m512i; PLANES],
+    /// 16 words a plane, each the sum of the mantissas of two photons, negated.
+    planes: [__m256i; PLANES],
     count: u32,
 }
 
 impl Lanes for V4 {
     type Mask = __mmask32;
-    /// A word of 16 bits for each photon.
-    type Powers<const PLANES: usize> = [__m512i; PLANES];
+    /// A byte for each photon, because loads of two take longer than what they save.
+    type Powers<const PLANES: usize> = [__m256i; PLANES];
     type Sums<const PLANES: usize> = Sums<PLANES>;
 
     #[inline(always)]
-    fn powers<const PLANES: usize>(self, planes: &LeafPlanes) -> [__m512i; PLANES] {
-        let mut powers = [self.avx512f._mm512_setzero_si512(); PLANES];
+    fn powers<const PLANES: usize>(self, planes: &LeafPlanes) -> [__m256i; PLANES] {
+        let mut powers = [self.avx._mm256_setzero_si256(); PLANES];
         for (index, power) in powers.iter_mut().enumerate() {
-            *power = self
-                .avx512bw
-                ._mm512_cvtepu8_epi16(cast(*planes.mantissas(index)));
+            *power = cast(*planes.mantissas(index));
         }
         powers
     }
@@ -90,7 +75,7 @@ impl Lanes for V4 {
     #[inline(always)]
     fn no_sums<const PLANES: usize>(self) -> Sums<PLANES> {
         Sums {
-            planes: [self.avx512f._mm512_setzero_si512(); PLANES],
+            planes: [self.avx._mm256_setzero_si256(); PLANES],
             count: 0,
         }
     }
@@ -100,13 +85,14 @@ impl Lanes for V4 {
         self,
         mut sums: Sums<PLANES>,
         in_range: __mmask32,
-        powers: &[__m512i; PLANES],
+        powers: &[__m256i; PLANES],
     ) -> Sums<PLANES> {
         sums.count += in_range.count_ones();
-        for (sum, power) in sums.planes.iter_mut().zip(powers) {
-            *sum = self
-                .avx512bw
-                ._mm512_mask_add_epi16(*sum, in_range, *sum, *power);
+        // All ones are -1.
+        let minus = self.avx512bw._mm256_movm_epi8(in_range);
+        for (sum, mantissas) in sums.planes.iter_mut().zip(powers) {
+            let pairs = self.avx2._mm256_maddubs_epi16(*mantissas, minus);
+            *sum = self.avx2._mm256_add_epi16(*sum, pairs);
         }
         sums
     }
@@ -114,16 +100,39 @@ impl Lanes for V4 {
     #[inline(always)]
     fn totals<const PLANES: usize>(self, sums: Sums<PLANES>) -> ([u32; PLANES], u32) {
         let mut totals = [0; PLANES];
+        let (sse2, avx2) = (self.sse2, self.avx2);
+        let minus = self.avx._mm256_set1_epi16(-1);
         if let [a, b, c] = sums.planes[..] {
-            let ab = self.ssse3._mm_hadd_epi32(folded(self, a), folded(self, b));
-            let c = folded(self, c);
-            let cc = self.ssse3._mm_hadd_epi32(c, c);
-            let [a, b, c, _]: [u32; 4] = cast(self.ssse3._mm_hadd_epi32(ab, cc));
+            // Neighbouring words are added; then each half of the register gets one word of each sum.
+            let [a, b, c] = [
+                avx2._mm256_madd_epi16(a, minus),
+                avx2._mm256_madd_epi16(b, minus),
+                avx2._mm256_madd_epi16(c, minus),
+            ];
+            let zero = self.avx._mm256_setzero_si256();
+            let ab = avx2._mm256_add_epi32(
+                avx2._mm256_unpacklo_epi32(a, b),
+                avx2._mm256_unpackhi_epi32(a, b),
+            );
+            let c = avx2._mm256_add_epi32(
+                avx2._mm256_unpacklo_epi32(c, zero),
+                avx2._mm256_unpackhi_epi32(c, zero),
+            );
+            let all = avx2._mm256_add_epi32(
+                avx2._mm256_unpacklo_epi64(ab, c),
+                avx2._mm256_unpackhi_epi64(ab, c),
+            );
+            let low = self.avx._mm256_castsi256_si128(all);
+            let high = avx2._mm256_extracti128_si256::<1>(all);
+            let [a, b, c, _]: [u32; 4] = cast(sse2._mm_add_epi32(low, high));
             totals.copy_from_slice(&[a, b, c]);
             return (totals, sums.count);
         }
         for (total, sum) in totals.iter_mut().zip(sums.planes) {
-            let [a, b, c, d]: [u32; 4] = cast(folded(self, sum));
+            let eight = avx2._mm256_madd_epi16(sum, minus);
+            let low = self.avx._mm256_castsi256_si128(eight);
+            let high = avx2._mm256_extracti128_si256::<1>(eight);
+            let [a, b, c, d]: [u32; 4] = cast(sse2._mm_add_epi32(low, high));
             *total = (a + b) + (c + d);
         }
         (totals, sums.count)
@@ -168,5 +177,5 @@ impl Lanes for V4 {
     }
 }
 
-// A mask of a tray has one bit for each leaf. Four words of a sum are added as signed ones.
-const _: () = assert!(TRAY == 32 && 4 * 255 * TRAY <= i16::MAX as usize && LEAF == 32);
+// A mask of a tray has one bit for each leaf. A word of a sum is signed and holds 2 * TRAY mantissas.
+const _: () = assert!(TRAY == 32 && 255 * 2 * TRAY <= i16::MAX as usize && LEAF == 32);

@@ -24,7 +24,13 @@ const STRIDE: u32 = BLOCK_BITS + 2;
 #[inline(always)]
 pub(super) fn packed(block: [u16; 3]) -> u16 {
     let [x, y, z] = block;
-    x | y << STRIDE | z << (2 * STRIDE)
+    on_axis(x, 0) | on_axis(y, 1) | on_axis(z, 2)
+}
+
+/// The bits of a block's index on one axis, in a packed block.
+#[inline(always)]
+pub(super) fn on_axis(index: u16, axis: usize) -> u16 {
+    index << below(axis)
 }
 
 /// The number of bits below an axis in a packed block.
@@ -54,11 +60,12 @@ impl Part {
     /// The highest bit of each axis.
     pub const GUARDS: u16 = 1 << (STRIDE - 1) | 1 << (2 * STRIDE - 1) | 1 << (3 * STRIDE - 1);
 
+    /// The blocks from `first` to `last`, which are packed.
     #[inline(always)]
-    pub fn new(first: [u16; 3], last: [u16; 3]) -> Self {
+    pub fn new(first: u16, last: u16) -> Self {
         Self {
-            first: packed(first),
-            last_and_guards: packed(last) | Self::GUARDS,
+            first,
+            last_and_guards: last | Self::GUARDS,
         }
     }
 
@@ -98,7 +105,7 @@ mod tests {
                         block[axis] = on_axis;
                         block
                     };
-                    let part = Part::new(with(0, first), with(ON_AXIS, last));
+                    let part = Part::new(packed(with(0, first)), packed(with(ON_AXIS, last)));
                     let block = packed(with(other, at));
                     assert_eq!(part.contains(block), (first..=last).contains(&at));
                     assert_eq!(block_on(block, axis), at);

@@ -36,6 +36,9 @@ enum Set {
     /// x86-64 with the AVX-512 of all servers that have any: F, BW, CD, DQ and VL.
     #[cfg(target_arch = "x86_64")]
     Avx512(pulp::x86::V4),
+    /// 64-bit Arm with NEON.
+    #[cfg(all(target_arch = "aarch64", target_endian = "little"))]
+    Neon(pulp::aarch64::Neon),
 }
 
 impl Instructions {
@@ -46,7 +49,12 @@ impl Instructions {
             pulp::x86::V4::try_new().map(Set::Avx512),
             pulp::x86::V3::try_new().map(Set::Avx2),
         ];
-        #[cfg(not(target_arch = "x86_64"))]
+        #[cfg(all(target_arch = "aarch64", target_endian = "little"))]
+        let faster = [pulp::aarch64::Neon::try_new().map(Set::Neon)];
+        #[cfg(not(any(
+            target_arch = "x86_64",
+            all(target_arch = "aarch64", target_endian = "little")
+        )))]
         let faster = [None];
         let faster = faster.into_iter().flatten();
         faster.chain([Set::Portable]).map(Self)
@@ -69,6 +77,8 @@ impl Instructions {
             Set::Avx2(_) => "AVX2",
             #[cfg(target_arch = "x86_64")]
             Set::Avx512(_) => "AVX-512",
+            #[cfg(all(target_arch = "aarch64", target_endian = "little"))]
+            Set::Neon(_) => "NEON",
         }
     }
 }
@@ -128,6 +138,11 @@ impl PhotonPlanes {
             ),
             #[cfg(target_arch = "x86_64")]
             Set::Avx512(simd) => simd.vectorize(
+                #[inline(always)]
+                || work.by(simd),
+            ),
+            #[cfg(all(target_arch = "aarch64", target_endian = "little"))]
+            Set::Neon(simd) => simd.vectorize(
                 #[inline(always)]
                 || work.by(simd),
             ),

@@ -1,9 +1,9 @@
 //! The loop over leaves and queries, generic over the instruction set.
 
+use super::around::Around;
 use super::frame::Frame;
 use super::gather::Gathered;
 use super::lanes::{Lanes, Positions};
-use super::leaf::LEAF;
 use super::photon_planes::PhotonPlanes;
 use super::store::Planes;
 use super::tray::{Laid, TRAY, Tray, ordered};
@@ -29,15 +29,18 @@ impl<F: Fn(u32, u32) -> bool> Work<'_, F> {
         mut self,
         lanes: L,
     ) -> Result<(), GatherError> {
-        let shift = self.photons.format().radius_bits().saturating_sub(u8::BITS);
+        let (edge, edge_bits) = (self.photons.cube_edge(), self.frame.edge_bits());
+        let shift = edge_bits.saturating_sub(u8::BITS);
         let planes = &self.photons.planes;
         let mut laid = Laid::<L, P, PLANES>::new();
         let mut flat_laid = Laid::<L, Q, PLANES>::new();
+        let mut around = Around::default();
         let mut tray = Tray::new(shift, self.frame.largest);
         let mut flat = None;
         let mut first = 0;
         while let Some(window) = self.windows.next() {
             if window.is_first {
+                around.lay(planes, window.seen);
                 flat = wall(planes, &self.frame, window.seen);
                 match flat {
                     None => laid.lay(lanes, planes, &self.frame, ([0, 1, 2], 0), window.seen),
@@ -45,20 +48,26 @@ impl<F: Fn(u32, u32) -> bool> Work<'_, F> {
                 }
             }
             let end = window.spans.last().map_or(first, Span::end);
-            self.found[first..end].fill(Gathered::default());
+            if window.near.is_empty() {
+                self.found[first..end].fill(Gathered::default());
+            }
             let mut rest = window.near;
             while !rest.is_empty() {
+                let is_first = rest.len() == window.near.len();
                 let (here, behind) = rest.split_at(alike(window.seen, rest));
                 let exponent = window.seen[here[0] as usize].leaf.exponent();
                 tray.set(window.seen, here);
                 let mut start = first;
                 for span in window.spans {
-                    let photons = photons_around(lanes, self.photons, &tray, window.seen, span);
+                    let region = span.region(edge);
+                    let steps = region.steps(edge_bits);
+                    let photons = around.count(lanes, &tray, window.seen, &region, edge, steps);
                     let queries = Queries {
                         frame: &self.frame,
                         positions: &self.positions[start..span.end()],
                         photons,
                         exponent,
+                        is_first,
                     };
                     let found = &mut self.found[start..span.end()];
                     if flat.is_none() {
@@ -79,37 +88,6 @@ impl<F: Fn(u32, u32) -> bool> Work<'_, F> {
         }
         Ok(())
     }
-}
-
-/// The number of the tray's photons in the 27 blocks around the span's.
-#[inline(always)]
-fn photons_around<L: Lanes>(
-    lanes: L,
-    photons: &PhotonPlanes,
-    tray: &Tray,
-    seen: &[Seen],
-    span: &Span,
-) -> u64 {
-    let edge = photons.cube_edge();
-    let region = span.region(edge);
-    let [low, high] = region.steps(photons.format().radius_bits());
-    let mut meeting = lanes.meeting(&tray.boxes, low, high) & tray.present;
-    let mut around = 0;
-    while meeting != 0 {
-        let seen = &seen[tray.leaves[meeting.trailing_zeros() as usize % TRAY] as usize];
-        meeting &= meeting - 1;
-        around += if edge == 1 {
-            u64::from(seen.leaf.photons)
-        } else {
-            let part = region.in_cube(seen.offset, edge);
-            let planes = photons.planes.planes(&seen.leaf);
-            // Lanes without a photon have any block.
-            let present = u32::MAX >> (LEAF - planes.photons());
-            let inside = lanes.inside(part, planes.blocks()) & present;
-            inside.count_ones().into()
-        };
-    }
-    around
 }
 
 /// Where all photons are on a wall along two axes, in a format of bytes: the order of the axes, the third last, and
@@ -151,31 +129,41 @@ struct Queries<'a> {
     photons: u64,
     /// The exponent of the tray's photons.
     exponent: u8,
+    /// Whether the tray is the first before these queries.
+    is_first: bool,
 }
+
+/// The number of queries whose touched leaves are found before the first of them is gathered. A processor guesses
+/// how many leaves a query has. It learns soon that a guess is wrong where it need not wait for the boxes.
+const AHEAD: usize = 16;
 
 impl<L: Lanes, P: Positions<L>, const PLANES: usize> Laid<L, P, PLANES> {
     #[inline(always)]
     fn gather_all(&self, lanes: L, tray: &Tray, queries: &Queries, found: &mut [Gathered]) {
-        for (position, found) in queries.positions.iter().zip(found) {
-            let touched = lanes.touched(&tray.boxes, *position) & tray.present;
-            let place = ordered(queries.frame.place(*position), self.axes);
-            let query = P::query(lanes, queries.frame, place, self.shared);
-            found.photons += queries.photons;
-            self.gather(lanes, tray, &query, touched, queries.exponent, found);
+        let positions = queries.positions.chunks(AHEAD);
+        for (positions, found) in positions.zip(found.chunks_mut(AHEAD)) {
+            let mut touched = [0; AHEAD];
+            for (touched, position) in touched.iter_mut().zip(positions) {
+                *touched = lanes.touched(&tray.boxes, *position) & tray.present;
+            }
+            for ((position, touched), found) in positions.iter().zip(touched).zip(found) {
+                let place = ordered(queries.frame.place(*position), self.axes);
+                let query = P::query(lanes, queries.frame, place, self.shared);
+                let here = self.gather(lanes, tray, &query, touched);
+                // A sum is written without being read first where there is none yet.
+                let before = if queries.is_first {
+                    Gathered::default()
+                } else {
+                    *found
+                };
+                *found = here.added_to(&before, queries);
+            }
         }
     }
 
-    /// Adds the photons in range of the leaves whose bits are set to the sums of a query.
+    /// The photons in range of the leaves whose bits are set.
     #[inline(always)]
-    fn gather(
-        &self,
-        lanes: L,
-        tray: &Tray,
-        query: &P::Query,
-        mut touched: u32,
-        exponent: u8,
-        found: &mut Gathered,
-    ) {
+    fn gather(&self, lanes: L, tray: &Tray, query: &P::Query, mut touched: u32) -> Here<PLANES> {
         let mut sums = lanes.no_sums();
         let mut tests = 0;
         while touched != 0 {
@@ -185,15 +173,38 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Laid<L, P, PLANES> {
             sums = lanes.add(sums, in_range, &leaf.powers);
             tests += leaf.photons;
         }
-        found.tests += tests;
         let (totals, count) = lanes.totals::<PLANES>(sums);
-        found.sums.count += u64::from(count);
+        Here {
+            totals,
+            count,
+            tests,
+        }
+    }
+}
+
+/// The result of a query on one tray.
+struct Here<const PLANES: usize> {
+    /// The sums of the mantissas' bytes of photons in range, for each plane.
+    totals: [u32; PLANES],
+    count: u32,
+    tests: u64,
+}
+
+impl<const PLANES: usize> Here<PLANES> {
+    /// The result with that on the trays before.
+    #[inline(always)]
+    fn added_to(&self, before: &Gathered, queries: &Queries) -> Gathered {
+        let mut found = *before;
+        found.photons += queries.photons;
+        found.tests += self.tests;
+        found.sums.count += u64::from(self.count);
         let bytes_each = if PLANES.is_multiple_of(2) { 2 } else { 1 };
-        for (index, total) in totals.into_iter().enumerate() {
+        for (index, total) in self.totals.into_iter().enumerate() {
             let (channel, byte) = (index / bytes_each, index % bytes_each);
             // A tray's sum has 18 bits, and an exponent is at most 24.
-            let total = u64::from(total) << (usize::from(exponent) + 8 * byte);
+            let total = u64::from(total) << (usize::from(queries.exponent) + 8 * byte);
             found.sums.power[channel] += u128::from(total);
         }
+        found
     }
 }

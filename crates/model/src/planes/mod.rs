@@ -9,11 +9,12 @@
 //!   its sums in registers. A leaf whose box the query's sphere cannot touch is skipped before any work
 //!   on its photons; the paper names this as future work. Leaves on a wall along two axes compute the
 //!   distance on the third axis once.
-//! - The operations on all photons of a leaf are written three times: in AVX-512, in AVX2, and in plain loops over
-//!   arrays for every other processor. The implementation is selected at run time.
+//! - The operations on all photons of a leaf are written four times: in AVX-512, in AVX2, in NEON, and in plain
+//!   loops over arrays for every other processor. The implementation is selected at run time.
 //!
 //! Integer sums do not depend on the order, so leaves may be in any order.
 
+mod around;
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 #[cfg(target_arch = "x86_64")]
@@ -28,6 +29,10 @@ mod gather;
 mod kernel;
 mod lanes;
 mod leaf;
+#[cfg(all(target_arch = "aarch64", target_endian = "little"))]
+mod neon;
+#[cfg(all(target_arch = "aarch64", target_endian = "little"))]
+mod neon_positions;
 mod photon_planes;
 mod portable;
 mod rows;

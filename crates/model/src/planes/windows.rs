@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::cube::{Part, centre};
+use super::cube::{FRAME_CUBES, Part, centre, on_axis};
 use super::gather::PlacedQuery;
 use super::leaf::Leaf;
 use super::photon_planes::PhotonPlanes;
@@ -69,13 +69,21 @@ impl Region {
         }
     }
 
-    /// The part that lies in a cube, which must not be empty.
+    /// The parts that lie in the cubes of the frame.
     #[inline]
-    pub fn in_cube(&self, cube: [u8; 3], edge: u32) -> Part {
-        let corner = cube.map(|cubes| u32::from(cubes) * edge);
-        let first = |axis: usize| self.first[axis].saturating_sub(corner[axis]) as u16;
-        let last = |axis: usize| (self.last[axis] - corner[axis]).min(edge - 1) as u16;
-        Part::new([0, 1, 2].map(first), [0, 1, 2].map(last))
+    pub fn parts(&self, edge: u32) -> Parts {
+        let (mut first, mut last) = ([[0; CUBES]; 3], [[0; CUBES]; 3]);
+        for axis in 0..3 {
+            for cube in 0..CUBES {
+                let corner = cube as u32 * edge;
+                let at = self.first[axis].saturating_sub(corner);
+                first[axis][cube] = on_axis(at as u16, axis);
+                // The result is of no use where the region ends before the cube.
+                let at = self.last[axis].saturating_sub(corner).min(edge - 1);
+                last[axis][cube] = on_axis(at as u16, axis);
+            }
+        }
+        Parts { first, last }
     }
 
     /// The lowest and the highest coordinates in fine steps of the frame.
@@ -86,6 +94,26 @@ impl Region {
             .last
             .map(|block| (((block + 1) << edge_bits) - 1) as u16);
         [low, high]
+    }
+}
+
+/// The cubes on an edge of the frame.
+const CUBES: usize = FRAME_CUBES as usize;
+
+/// The parts of a region in the cubes of the frame, axis by axis.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Parts {
+    first: [[u16; CUBES]; 3],
+    last: [[u16; CUBES]; 3],
+}
+
+impl Parts {
+    /// The part in a cube, which must not be empty.
+    #[inline]
+    pub fn of(&self, cube: [u8; 3]) -> Part {
+        let [x, y, z] = cube.map(|at| usize::from(at) % CUBES);
+        let packed = |on: &[[u16; CUBES]; 3]| on[0][x] | on[1][y] | on[2][z];
+        Part::new(packed(&self.first), packed(&self.last))
     }
 }
 

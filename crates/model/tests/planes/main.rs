@@ -25,8 +25,28 @@ fn fast(scene: &Scene, planes: &PhotonPlanes, instructions: Instructions) -> Vec
     found
 }
 
+/// Many scenes, or as many as the environment asks for: an emulator is slow.
+fn config() -> ProptestConfig {
+    let cases = std::env::var("PROPTEST_CASES").ok();
+    let cases = cases.and_then(|cases| cases.parse().ok());
+    ProptestConfig {
+        cases: cases.unwrap_or(2000),
+        ..ProptestConfig::default()
+    }
+}
+
+/// `scripts/instructions.sh` names the instruction sets that it means to test.
+#[test]
+fn the_instructions_are_those_that_the_environment_names() {
+    let available: Vec<_> = Instructions::available().map(Instructions::name).collect();
+    if let Ok(expected) = std::env::var("PHOTONCUBE_INSTRUCTIONS") {
+        assert_eq!(available.join(", "), expected);
+    }
+    assert_eq!(available.last(), Some(&"portable"));
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+    #![proptest_config(config())]
 
     #[test]
     fn all_instructions_give_the_plain_sums(scene in scene()) {
