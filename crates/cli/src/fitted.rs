@@ -223,9 +223,31 @@ pub fn no_machine(format: &PhotonFormat) -> String {
     format!("no machine is wide enough for {format}: {why}")
 }
 
+/// Options for a fit of a second, for tests in which any format that is found will do.
+#[cfg(test)]
+pub fn quick_options() -> FitOptions {
+    use photoncube_render::{BenchOptions, ViewOptions};
+
+    let options = FitOptions::default();
+    let view = ViewOptions {
+        width: 8,
+        height: 8,
+        ..options.bench.view
+    };
+    FitOptions {
+        noise_ratio: 0.3,
+        bench: BenchOptions {
+            photons: 5_000,
+            maps: 3,
+            view,
+            ..options.bench
+        },
+        ..options
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use photoncube_render::{BenchOptions, ViewOptions};
     use photoncube_spec::{find_machine, find_photon_format};
 
     use super::*;
@@ -304,26 +326,9 @@ mod tests {
         assert_eq!(names(&sorted), ["stream", "tile-4", "tile-5"]);
     }
 
-    /// A fit of few photons: it is quick, and any format within the bound will do.
     fn small_fit() -> Fit {
-        let options = FitOptions::default();
-        let view = ViewOptions {
-            width: 8,
-            height: 8,
-            ..options.bench.view
-        };
-        let bench = BenchOptions {
-            photons: 2_000,
-            maps: 4,
-            view,
-            ..options.bench
-        };
-        let options = FitOptions {
-            noise_ratio: 0.5,
-            bench,
-            ..options
-        };
-        fit(&Scene::built_in("cornell").unwrap(), &options, &|_| ()).unwrap()
+        let scene = Scene::built_in("cornell").unwrap();
+        fit(&scene, &quick_options(), &|_| ()).unwrap()
     }
 
     /// Rounded to nearest, a machine's own powers may be too coarse where dithered ones are not.

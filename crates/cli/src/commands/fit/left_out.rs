@@ -94,33 +94,18 @@ fn powers(facts: &SceneFacts) -> String {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_render::{BenchOptions, FitOptions, Scene, ViewOptions, fit};
+    use photoncube_render::{Scene, fit};
     use photoncube_spec::Widths;
+
+    use crate::fitted::quick_options;
 
     use super::*;
 
     #[test]
     fn the_bits_saved_add_up() {
-        let options = FitOptions::default();
-        let view = ViewOptions {
-            width: 8,
-            height: 8,
-            ..options.bench.view
-        };
-        let bench = BenchOptions {
-            photons: 5_000,
-            maps: 3,
-            view,
-            ..options.bench
-        };
-        let options = FitOptions {
-            noise_ratio: 0.3,
-            bench,
-            ..options
-        };
         for scene in ["cornell", "ring"] {
             let scene = Scene::built_in(scene).unwrap();
-            let fit = fit(&scene, &options, &|_| ()).unwrap();
+            let fit = fit(&scene, &quick_options(), &|_| ()).unwrap();
             let chosen = fit.chosen.unwrap();
             let saved: i64 = (left_out(&chosen, &fit.facts).iter())
                 .map(|row| row.bits_saved)
