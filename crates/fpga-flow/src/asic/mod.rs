@@ -19,7 +19,7 @@ use crate::netlist::Netlist;
 use crate::yosys::Yosys;
 
 pub use library::Library;
-pub use timing::{Power, Sta};
+pub use timing::Sta;
 
 /// The name of the clock of a design.
 const CLOCK: &str = "clock";

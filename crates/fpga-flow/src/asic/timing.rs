@@ -31,7 +31,7 @@ pub(super) struct Times {
 
 /// The power of some cells at the clock period [`PERIOD_NS`].
 #[derive(Copy, Clone, Debug, PartialEq)]
-pub struct Power {
+pub(super) struct Power {
     /// What switches, in watts.
     pub dynamic_w: f64,
     /// What flows at rest, in watts.
