@@ -131,13 +131,15 @@ fn bad_usage_ends_2_says_what_was_expected_and_writes_nothing() {
 #[cfg(unix)]
 #[test]
 fn a_cell_that_nobody_counts_and_tools_that_differ_end_2() {
-    use std::os::unix::fs::PermissionsExt;
-
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name);
+    // Another process writes the program: another test's may inherit it open from this one, and then it cannot be run.
     let program = |name: &str, text: &str| {
-        fs::write(path(name), format!("#!/bin/sh\n{text}\n")).unwrap();
-        fs::set_permissions(path(name), fs::Permissions::from_mode(0o755)).unwrap();
+        let writes = "printf '#!/bin/sh\n%s\n' \"$1\" >\"$2\" && chmod 755 \"$2\"";
+        let arguments = ["-c", writes, "sh", text];
+        let mut sh = std::process::Command::new("sh");
+        let status = sh.args(arguments).arg(path(name)).status();
+        assert!(status.unwrap().success(), "{name}");
     };
     let stat = r#"{"design": {"num_cells_by_type": {"WIDGET": 3}}}"#;
     program(

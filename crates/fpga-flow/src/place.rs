@@ -252,7 +252,8 @@ mod tests {
     #[test]
     fn a_design_that_is_too_large_is_a_result_and_another_failure_an_error() {
         use std::fs;
-        use std::os::unix::fs::PermissionsExt;
+
+        use crate::program::write_program;
 
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("nextpnr-ice40");
@@ -261,8 +262,7 @@ mod tests {
             let log =
                 format!("Info: Device utilisation:\\nInfo:  ICESTORM_LC: {used}/ 5280 99%\\n");
             let text = format!("#!/bin/sh\nprintf '{log}' >0-2.log\necho no place; exit 1\n");
-            fs::write(&path, text).unwrap();
-            fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+            write_program(&path, &text);
             let what = attempt("up5k", None);
             let tools = Tools::find(Some(folder.path()), Some(what.device.family())).unwrap();
             place(&tools, folder.path(), &what)

@@ -82,6 +82,16 @@ pub(crate) fn run<S: AsRef<OsStr>>(
     })
 }
 
+/// Writes a program of a test. Another process writes it: while this one has the file open, another test's program that starts may
+/// inherit it open, and an open file cannot be run.
+#[cfg(all(test, unix))]
+pub(crate) fn write_program(path: &Path, text: &str) {
+    let writes = "printf %s \"$1\" >\"$2\" && chmod 755 \"$2\"";
+    let arguments = ["-c", writes, "sh", text];
+    let status = Command::new("sh").args(arguments).arg(path).status();
+    assert!(status.unwrap().success(), "{}", path.display());
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -142,12 +142,11 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn a_run_ends_at_its_limit_and_leaves_its_log() {
-        use std::os::unix::fs::PermissionsExt;
+        use crate::program::write_program;
 
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("yosys");
-        std::fs::write(&path, "#!/bin/sh\necho \"$@\"\nexec sleep 60\n").unwrap();
-        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
+        write_program(&path, "#!/bin/sh\necho \"$@\"\nexec sleep 60\n");
         let yosys = Yosys::find(Some(folder.path())).unwrap();
         let log = yosys.log_within(folder.path(), Duration::from_millis(200));
         assert_eq!(log.unwrap(), "-s script.ys\n");
