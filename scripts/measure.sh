@@ -20,7 +20,7 @@ for option; do
             printf '  --place-cores    also place cores of one chain and of six: two hours\n'
             printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
             printf '                   million random groups: an hour\n'
-            printf '  --liberty=FILE   also measure the machines in these standard cells, beside those of osu018: half an hour\n'
+            printf '  --liberty=FILE   also measure the machines in these standard cells, beside those of osu018: five minutes\n'
             [[ $option == -h || $option == --help ]] && exit 0
             exit 2
             ;;
@@ -79,7 +79,8 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
-# Area, clock and energy in standard cells. Longer chains of engines take up to an hour each, and consist of engines of these.
+# Area, clock and energy in standard cells. Longer chains consist of engines of these; one of 64 did not end in a quarter of an
+# hour.
 in_cells=()
 for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7}; do
     in_cells+=(--machine "$machine")

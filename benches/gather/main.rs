@@ -51,11 +51,11 @@ static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
 
 /// The argument that measures the gather beside its strongest peer in turn; a filter may follow.
 #[cfg(target_arch = "x86_64")]
-const PEERS: &str = "peers";
+const BESIDE_PEERS: &str = "peers";
 
 fn main() {
     #[cfg(target_arch = "x86_64")]
-    if let Some(at) = std::env::args().position(|argument| argument == PEERS) {
+    if let Some(at) = std::env::args().position(|argument| argument == BESIDE_PEERS) {
         let filter = std::env::args().nth(at + 1).unwrap_or_default();
         peers::measure(filter.trim_start_matches("--bench"));
         return;

@@ -1,7 +1,7 @@
 """The tables of docs/cores.md about pictures: renders each with a core's emitted Verilog in Verilator and prints Markdown.
 
-    python3 scripts/core/pictures.py             # six scenes, by six chains and by one: about an hour on two cores
-    python3 scripts/core/pictures.py --rounds    # one scene with each estimator, by a core with rounds: about an hour
+    python3 scripts/core/pictures.py             # six scenes, by six chains and by one
+    python3 scripts/core/pictures.py --rounds    # one scene with each estimator, by a core with rounds
     python3 scripts/core/pictures.py --quick     # either table on small pictures, in a minute
 
 The clocks are counted by the core, so they do not depend on the computer. Queries a second are those clocks at the median clock

@@ -118,7 +118,7 @@ fn measured(activity: f64) -> CellFigures {
         ..Design::default()
     };
     design.write(folder.path()).unwrap();
-    let sta = Sta::find().unwrap();
+    let sta = Sta::find(folder.path()).unwrap();
     measure(&yosys, &sta, folder.path(), &design, &library, activity).unwrap()
 }
 

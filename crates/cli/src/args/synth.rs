@@ -89,7 +89,7 @@ pub struct SynthArgs {
     #[arg(long, requires = "asic", default_value = asic::LIBERTY, value_name = "FILE")]
     pub liberty: PathBuf,
     /// The transitions of each net in a clock cycle
-    #[arg(long, requires = "asic", default_value_t = asic::ACTIVITY, value_name = "X", value_parser = asic::activity)]
+    #[arg(long, requires = "asic", default_value_t = asic::ACTIVITY, value_name = "X", value_parser = activity)]
     pub activity: f64,
     #[command(flatten)]
     pub wide: WideArgs,
@@ -125,6 +125,13 @@ impl Measurement {
     fn is_area(&self, flow: &Flow) -> bool {
         matches!(self, Self::Area(area) if *area == flow)
     }
+}
+
+/// Reads the transitions of a net in a clock cycle.
+fn activity(text: &str) -> Result<f64, String> {
+    let found = text.parse().ok();
+    let found = found.filter(|activity| (0.0..=2.0).contains(activity));
+    found.ok_or_else(|| "expected a number from 0 to 2, which is the clock's own".to_owned())
 }
 
 /// The placers by nextpnr's names.
@@ -184,5 +191,19 @@ impl SynthArgs {
         let everything = self.machines.is_empty() && self.flows.is_empty();
         let all_tries = self.grades.is_empty() && self.seed.is_none();
         everything && all_tries && self.map_for == ABC9_TARGET_PS
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_activity_is_at_most_that_of_the_clock() {
+        assert_eq!(activity("0.2"), Ok(0.2));
+        assert_eq!(activity("2"), Ok(2.0));
+        for wrong in ["-0.1", "2.1", "NaN", "much"] {
+            assert!(activity(wrong).unwrap_err().contains("0 to 2"), "{wrong}");
+        }
     }
 }

@@ -256,12 +256,7 @@ fn text(report: &Report) -> String {
         text += &tables::uses(&report.device_use);
         text += "\n";
     }
-    let versions = report.tool_versions.iter();
-    let versions: Vec<_> = versions
-        .filter(|(tool, _)| !tool.starts_with("yowasp-"))
-        .map(|(tool, version)| format!("{tool} {version}"))
-        .collect();
-    text += &format!("By {}.", versions.join(", "));
+    text += &tables::measured_by(&report.tool_versions);
     match report.files.as_slice() {
         [] => {
             text += " Nothing was written: `list` and `run` know only the committed figures, which a run of all machines, or \

@@ -13,7 +13,7 @@ use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::Subject;
+use super::{Subject, tables};
 use crate::args::SynthArgs;
 use crate::{output, progress, synth, table};
 
@@ -75,24 +75,17 @@ impl AsicRow {
     }
 }
 
-/// A number of transitions in a clock cycle, from a text.
-pub fn activity(text: &str) -> Result<f64, String> {
-    let found: Option<f64> = text.parse().ok();
-    let found = found.filter(|activity| (0.0..=2.0).contains(activity));
-    found.ok_or_else(|| format!("found `{text}`, expected a number from 0 to 2, the clock's own"))
-}
-
 /// Measures the machines and prints a table.
 pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> Result<()> {
     let tools = synth::tools(args.tools.as_deref(), None)?;
-    let sta = Sta::find().map_err(|error| match error {
+    let scratch = tempfile::tempdir().context("cannot make a scratch folder")?;
+    let sta = Sta::find(scratch.path()).map_err(|error| match error {
         FlowError::Tool(ToolError::Missing { .. }) => anyhow!("{error}; `{INSTALL}` installs it"),
         error => error.into(),
     })?;
-    let scratch = tempfile::tempdir().context("cannot make a scratch folder")?;
     let library = library(&tools, scratch.path(), &args.liberty)?;
     let mut tool_versions = tools.versions(scratch.path())?;
-    tool_versions.insert("opensta".to_owned(), sta.version(scratch.path())?);
+    tool_versions.insert("opensta".to_owned(), Sta::VERSION.to_owned());
     let report = Report {
         library: library.name().to_owned(),
         library_sha256: library.sha256(),
@@ -186,17 +179,12 @@ pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
 }
 
 fn text(report: &Report) -> String {
-    let versions = report.tool_versions.iter();
-    let versions: Vec<_> = versions
-        .filter(|(tool, _)| !tool.starts_with("yowasp-"))
-        .map(|(tool, version)| format!("{tool} {version}"))
-        .collect();
     format!(
-        "Standard cells of {}, {} transitions of a net in a clock cycle, no wires, no clock tree:\n{}\nBy {}.\n",
+        "Standard cells of {}, {} transitions of a net in a clock cycle, no wires, no clock tree:\n{}\n{}\n",
         report.library,
         report.activity,
         rows_table(&report.machines),
-        versions.join(", ")
+        tables::measured_by(&report.tool_versions)
     )
 }
 

@@ -1,11 +1,23 @@
 //! Areas and clocks as tables for people.
 
+use std::collections::BTreeMap;
+
 use fpga_flow::{CriticalPath, FLOWS, Figure, Flow};
 
 use super::clock::Clock;
 use super::figures::AreaRow;
 use super::plan::DeviceUse;
 use crate::table::{self, Table};
+
+/// The programs that measured, with their versions. The packages that they came in are left out.
+pub fn measured_by(tool_versions: &BTreeMap<String, String>) -> String {
+    let programs = tool_versions.iter();
+    let programs = programs.filter(|(tool, _)| !tool.starts_with("yowasp-"));
+    let programs: Vec<_> = programs
+        .map(|(tool, version)| format!("{tool} {version}"))
+        .collect();
+    format!("By {}.", programs.join(", "))
+}
 
 /// A table for each flow that has rows, below the flow's name.
 pub fn areas(rows: &[AreaRow]) -> String {

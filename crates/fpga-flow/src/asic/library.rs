@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use serde_json::Value;
-use sha2::{Digest, Sha256};
 
 use super::LIBERTY;
 use crate::area::areas_of_modules;
 use crate::error::{Result, read, unexpected, write};
+use crate::netlist::digest::hexadecimal;
 use crate::netlist::{Netlist, cells};
 use crate::yosys::Yosys;
 
@@ -88,8 +88,7 @@ impl Library {
     /// SHA-256 of the library's text in hexadecimal digits.
     #[must_use]
     pub fn sha256(&self) -> String {
-        let digest = Sha256::digest(self.text.as_bytes());
-        digest.iter().map(|byte| format!("{byte:02x}")).collect()
+        hexadecimal(&self.text)
     }
 
     /// The area of the cell that the library has for a NAND with two inputs.

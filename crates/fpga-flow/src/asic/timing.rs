@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::library::Library;
 use super::{CLOCK, LIBERTY, NETLIST};
-use crate::error::{Result, ToolError, unexpected, write};
+use crate::error::{Result, ensure, unexpected, write};
 use crate::program::{Program, run};
 use crate::yosys::version_of;
 
@@ -38,7 +38,7 @@ pub(super) struct Power {
     pub leakage_w: f64,
 }
 
-/// For each transition of a pin, OpenSTA 2.0.17 adds the energies of its rise and of its fall; later versions take their mean. The
+/// For each transition of a pin, OpenSTA of [`Sta::VERSION`] adds the energies of its rise and of its fall; later versions take their mean. The
 /// rows of a cell's energies by its inputs are weighted so that the weights add up to 1 in registers, inverters, buffers, and gates of
 /// two inputs, but to 0.75 in a NAND of three, to 1.75 in an AND-OR-invert and to 2 in an XOR whose rows have conditions.
 const OVERCOUNT: f64 = 0.5;
@@ -54,21 +54,17 @@ impl Power {
 }
 
 impl Sta {
-    /// Finds OpenSTA on the PATH.
-    ///
-    /// # Errors
-    /// It is not there.
-    pub fn find() -> Result<Self> {
-        let path = PROGRAM.find(None)?;
-        Ok(Self { path })
-    }
+    /// The version of OpenSTA whose powers are understood here: other versions count energies otherwise.
+    pub const VERSION: &str = "2.0.17";
 
-    /// The version of the program.
+    /// Finds OpenSTA on the PATH. It tells its version in the folder `scratch`.
     ///
     /// # Errors
-    /// The program does not run.
-    pub fn version(&self, scratch: &Path) -> Result<String, ToolError> {
-        version_of(&PROGRAM, &self.path, scratch)
+    /// It is not there, or is not of [`Self::VERSION`].
+    pub fn find(scratch: &Path) -> Result<Self> {
+        let path = PROGRAM.find(None)?;
+        check_version(&version_of(&PROGRAM, &path, scratch)?)?;
+        Ok(Self { path })
     }
 
     /// Measures the netlist in the folder. Inputs come from registers of the library, and all paths end within a clock period.
@@ -84,6 +80,15 @@ impl Sta {
         let said = run(&self.path, ["-no_splash", "-exit", file], folder)?;
         times(&said)
     }
+}
+
+fn check_version(found: &str) -> Result<()> {
+    ensure(found == Sta::VERSION, || {
+        format!(
+            "found OpenSTA {found}, expected {}, which Debian 12 has",
+            Sta::VERSION
+        )
+    })
 }
 
 fn script(top: &str, library: &Library, activity: f64) -> String {
@@ -164,6 +169,20 @@ Total                1.330000e-01 1.400000e-02 1.300000e-06 1.470013e-01 100.0%
         assert!((times.registers.cycle_energy_pj() - 650.0).abs() < 1e-6);
         assert!((times.logic.cycle_energy_pj() - 155.0).abs() < 1e-6);
         assert!((times.logic.leakage_w - 6e-7).abs() < 1e-15);
+    }
+
+    #[test]
+    fn another_version_is_refused() {
+        assert_eq!(
+            PROGRAM.version("2.0.17 c018cb2\n").as_deref(),
+            Some(Sta::VERSION)
+        );
+        check_version(Sta::VERSION).unwrap();
+        let error = check_version("2.6.0").unwrap_err().to_string();
+        assert!(
+            error.contains("2.6.0") && error.contains("2.0.17"),
+            "{error}"
+        );
     }
 
     #[test]

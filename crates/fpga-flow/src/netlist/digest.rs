@@ -153,7 +153,8 @@ fn classes<T: Ord>(of: Vec<T>) -> (Vec<usize>, usize) {
     (classes, count + usize::from(!of.is_empty()))
 }
 
-fn hexadecimal(text: &str) -> String {
+/// SHA-256 of a text in hexadecimal digits.
+pub(crate) fn hexadecimal(text: &str) -> String {
     let digest = Sha256::digest(text);
     digest.iter().fold(String::new(), |mut text, byte| {
         let _ = write!(text, "{byte:02x}");

@@ -5,7 +5,7 @@
 //! is equivalent.
 
 mod changes;
-mod digest;
+pub(crate) mod digest;
 mod module;
 pub(crate) mod verilog;
 
