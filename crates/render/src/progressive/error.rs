@@ -3,6 +3,7 @@
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::pixel::{Pixel, deviation, significant_ratio, student};
+use super::sums::Pixels;
 use crate::image::relative_scale;
 use crate::metrics::Moments;
 
@@ -59,11 +60,12 @@ pub struct ErrorEstimate {
 
 impl ErrorEstimate {
     /// The estimate for a picture of rows of `width` pixels.
-    pub(super) fn of(pixels: &[Pixel], width: usize, passes: u64, confidence: f64) -> Option<Self> {
+    pub(super) fn of(pixels: &Pixels, width: usize, confidence: f64) -> Option<Self> {
+        let passes = pixels.passes;
         if passes < 2 || !(confidence > 0.0 && confidence < 1.0) {
             return None;
         }
-        let bias_sq = |pixel: &Pixel| {
+        let bias_sq = |pixel: Pixel| {
             let gathers = pixel.bias != Moments::of(passes, 0.0, 0.0);
             let scale = relative_scale(pixel.plain.mean());
             let both = [pixel.bias.mean(), deviation(&pixel.bias)];
@@ -76,7 +78,7 @@ impl ErrorEstimate {
             normal: Normal::standard().inverse_cdf(0.5 + 0.5 * confidence),
         };
         let found = pixels.iter().zip(around(width, &biases));
-        let found = found.map(|(pixel, bias)| factors.bound(pixel, bias));
+        let found = found.map(|(pixel, bias)| factors.bound(&pixel, bias));
         Some(Self {
             confidence,
             quantile: factors.student,
@@ -185,20 +187,11 @@ fn around(width: usize, values: &[Option<[f64; 2]>]) -> Vec<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
-
+    use super::super::sums::pixels;
     use super::*;
 
-    fn pixel(passes: &[(f64, f64)]) -> Pixel {
-        let mut pixel = Pixel::default();
-        for (whole, inner) in passes {
-            pixel.push(DVec3::splat(*whole), DVec3::splat(*inner));
-        }
-        pixel
-    }
-
     fn estimate(passes: &[(f64, f64)], confidence: f64) -> Option<ErrorEstimate> {
-        ErrorEstimate::of(&[pixel(passes)], 1, passes.len() as u64, confidence)
+        ErrorEstimate::of(&pixels(&[passes]), 1, confidence)
     }
 
     #[test]
@@ -234,13 +227,13 @@ mod tests {
     /// A black pixel that light leaks into, beside pixels where the leak shows. Its own passes show no bias.
     #[test]
     fn a_leak_beside_a_pixel_widens_its_bound_and_its_relative_error() {
-        let leaking = pixel(&[(0.5, 0.3), (0.51, 0.29), (0.49, 0.3), (0.5, 0.31)]);
-        let even = pixel(&[(0.5, 0.5), (0.52, 0.51), (0.48, 0.49), (0.5, 0.5)]);
-        let among = |neighbour| {
-            let pixels = [neighbour, even, neighbour];
-            ErrorEstimate::of(&pixels, 3, 4, 0.9).unwrap().pixels[1]
+        let leaking = [(0.5, 0.3), (0.51, 0.29), (0.49, 0.3), (0.5, 0.31)];
+        let even = [(0.5, 0.5), (0.52, 0.51), (0.48, 0.49), (0.5, 0.5)];
+        let among = |neighbour: &[(f64, f64)]| {
+            let pixels = pixels(&[neighbour, &even, neighbour]);
+            ErrorEstimate::of(&pixels, 3, 0.9).unwrap().pixels[1]
         };
-        let (alone, beside) = (among(even), among(leaking));
+        let (alone, beside) = (among(&even), among(&leaking));
         assert_eq!(alone.luminance, beside.luminance);
         assert!(alone.error < 0.05 && beside.error > 0.5);
         assert!(beside.scale < 0.5 * alone.scale, "{beside:?} {alone:?}");

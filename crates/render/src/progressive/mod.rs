@@ -38,9 +38,11 @@
 
 mod balance;
 mod error;
+mod part;
 mod pixel;
 mod rule;
 mod state;
+mod sums;
 mod uniformity;
 
 use glam::DVec3;
@@ -48,19 +50,21 @@ use thiserror::Error;
 
 pub use self::balance::{Balance, Given};
 pub use self::error::{ErrorEstimate, PixelBound};
+pub use self::part::{NoPart, Part};
 pub use self::rule::{RadiusRule, UnknownRadiusRule};
 pub use self::state::{OtherPicture, ProgressiveState};
 
-use self::pixel::{Pixel, significant_ratio};
+use self::pixel::significant_ratio;
+use self::sums::Pixels;
 use self::uniformity::Uniformity;
 use crate::estimate::Estimator;
 use crate::image::Image;
-use crate::lighting::{Lighting, PhotonMaps, Radii};
+use crate::lighting::{Caustics, Lighting, PhotonMaps, Radii};
 use crate::metrics::Moments;
 use crate::photon_map::MapError;
 use crate::render::{Engine, Light, RenderError, RenderStats, Renderer};
-use crate::scene::Scene;
-use crate::trace::{TraceError, TraceOptions, trace};
+use crate::scene::{Scene, Surface};
+use crate::trace::{PhotonTrace, TraceError, TraceOptions, trace};
 use crate::view::ViewOptions;
 
 /// The schedule of the radii, and the photons of each pass.
@@ -100,6 +104,11 @@ pub enum ProgressiveError {
         /// The factor that was given.
         found: f64,
     },
+    /// A part of the passes by the chi-square rule.
+    #[error(
+        "parts of the passes: found the radius rule chi-square, whose passes depend on one another; expected schedule"
+    )]
+    Part,
     /// Tracing gave no photons.
     #[error(transparent)]
     Trace(#[from] TraceError),
@@ -118,14 +127,13 @@ pub struct Progressive<'a> {
     lighting: Lighting,
     view: ViewOptions,
     options: ProgressiveOptions,
-    /// The radii of the first pass.
+    /// Which passes are made here.
+    part: Part,
+    /// The radii of the first pass of all.
     radii: Option<Radii>,
-    /// The squared radius over that of the first pass.
-    shrunk_sq: f64,
-    passes: u64,
     photons: u64,
     stats: RenderStats,
-    pixels: Vec<Pixel>,
+    pixels: Pixels,
     /// The radii of the pixels by the chi-square rule; empty by the schedule, and before the first pass.
     uniformity: Vec<Uniformity>,
 }
@@ -152,43 +160,83 @@ impl<'a> Progressive<'a> {
             lighting,
             view,
             options,
+            part: Part::ALL,
             radii: None,
-            shrunk_sq: 1.0,
-            passes: 0,
             photons: 0,
             stats: RenderStats::default(),
-            pixels: Vec::new(),
+            pixels: Pixels::new(scene),
             uniformity: Vec::new(),
         })
     }
 
-    /// Makes one more pass: photons, maps, a picture; then the next radius.
+    /// The picture with a part of the passes only, whose state can be merged with those of the other parts.
+    ///
+    /// # Errors
+    /// By the chi-square rule the radii of a pass depend on all passes before it.
+    pub fn with_part(self, part: Part) -> Result<Self, ProgressiveError> {
+        match self.options.rule {
+            RadiusRule::ChiSquare if part != Part::ALL => Err(ProgressiveError::Part),
+            _ => Ok(Self { part, ..self }),
+        }
+    }
+
+    /// Makes one more pass: photons, maps, a picture.
     ///
     /// # Errors
     /// Tracing, the maps or rendering fail.
     pub fn pass(&mut self) -> Result<(), ProgressiveError> {
-        let seed = self.options.seed.wrapping_add(self.passes);
-        let options = TraceOptions {
-            photons: self.options.photons,
-            seed,
-        };
-        let trace = trace(self.scene, &options, &|_| ())?;
-        let shrunk = self.shrunk();
-        let first = self.radii.get_or_insert_with(|| {
-            Radii::of(self.scene, &trace, &self.lighting, self.options.in_range)
-        });
-        first.find_caustic(&trace, &self.lighting);
+        let pass = self.part.pass(self.passes());
+        let trace = self.trace(pass)?;
+        let first = self.radii(pass, &trace)?;
         let radii = Radii {
-            global: first.global * shrunk,
-            ..first.scaled(self.shrunk_sq.sqrt())
+            global: first.global * self.shrunk(pass),
+            ..first.scaled(self.scheduled(pass))
         };
         let maps = PhotonMaps::new(self.scene, trace, &self.lighting, radii)?;
         self.photons += maps.photons() as u64;
-        self.add(&maps, seed)?;
-        self.passes += 1;
-        let pass = self.passes as f64;
-        self.shrunk_sq *= (pass + self.options.alpha) / (pass + 1.0);
+        self.add(&maps, self.seed(pass))?;
         Ok(())
+    }
+
+    /// The seed of a pass, the first of which is 0.
+    fn seed(&self, pass: u64) -> u64 {
+        self.options.seed.wrapping_add(pass)
+    }
+
+    fn trace(&self, pass: u64) -> Result<PhotonTrace, TraceError> {
+        let options = TraceOptions {
+            photons: self.options.photons,
+            seed: self.seed(pass),
+        };
+        trace(self.scene, &options, &|_| ())
+    }
+
+    /// The radii of the first pass, as they are known at a pass whose photons are given. Those of the passes before it that other
+    /// computers make are traced here too, until a caustic is found.
+    fn radii(&mut self, pass: u64, photons: &PhotonTrace) -> Result<Radii, TraceError> {
+        let searched = self.part.searched(self.passes());
+        for before in searched..pass {
+            if self.radii.is_some_and(|radii| self.is_complete(radii)) {
+                break;
+            }
+            let trace = self.trace(before)?;
+            self.find_radii(&trace);
+        }
+        Ok(self.find_radii(photons))
+    }
+
+    /// Whether no later pass changes the radii: the caustics' is found, or there is none.
+    fn is_complete(&self, radii: Radii) -> bool {
+        let mut surfaces = self.scene.surfaces().iter();
+        let is_own = matches!(self.lighting.caustics, Caustics::Own(_));
+        radii.caustic.is_some() || !is_own || !surfaces.any(Surface::is_specular)
+    }
+
+    fn find_radii(&mut self, trace: &PhotonTrace) -> Radii {
+        let of = || Radii::of(self.scene, trace, &self.lighting, self.options.in_range);
+        let radii = self.radii.get_or_insert_with(of);
+        radii.find_caustic(trace, &self.lighting);
+        *radii
     }
 
     /// Renders a pass at both radii and adds it to the pixels.
@@ -208,10 +256,7 @@ impl<'a> Progressive<'a> {
         };
         let rendered = renderer.render(&[Estimator::FixedRadius, Estimator::Halved(1)], &|_| ())?;
         let [whole, inner] = [0, 1].map(|index| rendered.images[index].pixels());
-        self.pixels.resize(whole.len(), Pixel::default());
-        for ((pixel, whole), inner) in self.pixels.iter_mut().zip(whole).zip(inner) {
-            pixel.push(*whole, *inner);
-        }
+        self.pixels.push(whole, inner);
         self.stats += rendered.stats;
         let most = renderer.most_halvings();
         for (pixel, sectors) in self.uniformity.iter_mut().zip(&rendered.sectors) {
@@ -220,12 +265,19 @@ impl<'a> Progressive<'a> {
         Ok(())
     }
 
-    /// The global radius of the next pass over that of the first. By the chi-square rule it stays, and pixels have smaller ones.
-    fn shrunk(&self) -> f64 {
+    /// The global radius of a pass over that of the first. By the chi-square rule it stays, and pixels have smaller ones.
+    fn shrunk(&self, pass: u64) -> f64 {
         match self.options.rule {
-            RadiusRule::Schedule => self.shrunk_sq.sqrt(),
+            RadiusRule::Schedule => self.scheduled(pass),
             RadiusRule::ChiSquare => 1.0,
         }
+    }
+
+    /// The radius of a pass over that of the first, by the schedule.
+    fn scheduled(&self, pass: u64) -> f64 {
+        let before = (1..=pass).map(|pass| pass as f64);
+        let factors = before.map(|pass| (pass + self.options.alpha) / (pass + 1.0));
+        factors.product::<f64>().sqrt()
     }
 
     /// How many times the squared radius of each pixel is halved in the next pass.
@@ -251,7 +303,7 @@ impl<'a> Progressive<'a> {
     /// The number of passes made.
     #[must_use]
     pub fn passes(&self) -> u64 {
-        self.passes
+        self.pixels.passes
     }
 
     /// The number of photons in the maps of all passes.
@@ -263,12 +315,8 @@ impl<'a> Progressive<'a> {
     /// The radius of the last pass, in scene units; `None` before the first. By the chi-square rule it is the largest of a pixel.
     #[must_use]
     pub fn radius(&self) -> Option<f64> {
-        let next = self.radii?.global * self.shrunk();
-        if self.options.rule == RadiusRule::ChiSquare {
-            return Some(next);
-        }
-        let pass = self.passes as f64;
-        Some(next * ((pass + 1.0) / (pass + self.options.alpha)).sqrt())
+        let last = self.part.pass(self.passes().checked_sub(1)?);
+        Some(self.radii?.global * self.shrunk(last))
     }
 
     /// The statistics of the work of all passes.
@@ -280,14 +328,12 @@ impl<'a> Progressive<'a> {
     /// The picture, the mean of all passes, with the bias taken off where it is significant; black before the first.
     #[must_use]
     pub fn image(&self) -> Image {
-        let pixels = match self.passes {
+        let pixels = match self.passes() {
             0 => vec![DVec3::ZERO; self.view.width as usize * self.view.height as usize],
             passes => {
                 let ratio = significant_ratio(passes);
-                self.pixels
-                    .iter()
-                    .map(|pixel| pixel.radiance(ratio))
-                    .collect()
+                let pixels = self.pixels.iter();
+                pixels.map(|pixel| pixel.radiance(ratio)).collect()
             }
         };
         Image::from_rows(self.view.width, pixels)
@@ -297,12 +343,7 @@ impl<'a> Progressive<'a> {
     /// 1.
     #[must_use]
     pub fn error(&self, confidence: f64) -> Option<ErrorEstimate> {
-        ErrorEstimate::of(
-            &self.pixels,
-            self.view.width as usize,
-            self.passes,
-            confidence,
-        )
+        ErrorEstimate::of(&self.pixels, self.view.width as usize, confidence)
     }
 }
 

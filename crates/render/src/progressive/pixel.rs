@@ -3,7 +3,7 @@
 use glam::DVec3;
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
-use crate::metrics::{Moments, luminance};
+use crate::metrics::Moments;
 
 /// A bias is significant where it is this many times its standard deviation, or as improbable where few passes make the
 /// deviation uncertain.
@@ -32,7 +32,7 @@ pub(super) fn significant_ratio(passes: u64) -> f64 {
 }
 
 /// The statistics of a pixel over all passes.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Pixel {
     /// The radiance at the search radius, summed over the passes.
     pub sum: DVec3,
@@ -47,16 +47,6 @@ pub(super) struct Pixel {
 }
 
 impl Pixel {
-    /// Adds a pass: the radiance at the search radius and at half the squared radius.
-    pub fn push(&mut self, whole: DVec3, inner: DVec3) {
-        self.sum += whole;
-        self.inner_sum += inner;
-        let [x, y] = [whole, inner].map(luminance);
-        self.plain.push(x);
-        self.corrected.push(2.0 * y - x);
-        self.bias.push(2.0 * (x - y));
-    }
-
     /// Whether the bias is at least `ratio` standard deviations, so that the picture has the corrected radiance.
     pub fn is_corrected(&self, ratio: f64) -> bool {
         let noise = deviation(&self.bias);
@@ -81,14 +71,11 @@ pub(super) fn deviation(moments: &Moments) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::sums::pixels;
     use super::*;
 
     fn pixel(passes: &[(f64, f64)]) -> Pixel {
-        let mut pixel = Pixel::default();
-        for (whole, inner) in passes {
-            pixel.push(DVec3::splat(*whole), DVec3::splat(*inner));
-        }
-        pixel
+        pixels(&[passes]).iter().next().unwrap()
     }
 
     #[test]

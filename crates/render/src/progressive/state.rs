@@ -1,31 +1,26 @@
-//! The state of a progressive picture after some passes, from which more passes can be made at another time.
+//! The state of a progressive picture after some passes, from which more passes can be made at another time, or which is merged with
+//! those of other passes.
 
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::Progressive;
-use super::pixel::Pixel;
+use super::sums::Sums;
 use super::uniformity::Uniformity;
 use crate::lighting::Radii;
-use crate::metrics::Moments;
 use crate::render::RenderStats;
 
-/// The numbers of a pixel.
-const NUMBERS: usize = 12;
-
-/// All that later passes and the error's estimate need of the passes so far. The numbers are those of the sums, not
-/// rounded, so a picture that is interrupted and continued is bit for bit the picture of one run.
+/// All that later passes and the error's estimate need of the passes so far. The sums are exact, so a picture that is interrupted and
+/// continued, and one whose passes several computers made, are bit for bit the picture of one run.
 ///
-/// Scene, engine, lighting, view and options are not part of it: the caller must give the same ones.
+/// Scene, engine, lighting, view, options and part are not in it: the caller must give the same ones.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ProgressiveState {
     passes: u64,
     photons: u64,
     radii: Option<Radii>,
-    shrunk_sq: f64,
     stats: RenderStats,
-    pixels: Vec<[f64; NUMBERS]>,
+    pixels: Vec<Sums>,
     uniformity: Vec<Uniformity>,
 }
 
@@ -34,6 +29,32 @@ impl ProgressiveState {
     #[must_use]
     pub fn passes(&self) -> u64 {
         self.passes
+    }
+
+    /// Adds the passes of another part of the same picture. The order of such additions makes no difference.
+    ///
+    /// # Errors
+    /// The other state has another number of pixels. Nothing is added then.
+    pub fn merge(&mut self, other: &Self) -> Result<(), OtherPicture> {
+        if self.passes == 0 {
+            self.clone_from(other);
+        } else if other.passes > 0 {
+            let (found, expected) = (other.pixels.len(), self.pixels.len());
+            if found != expected {
+                return Err(OtherPicture { found, expected });
+            }
+            self.passes += other.passes;
+            self.photons += other.photons;
+            self.stats += other.stats;
+            // A part that ended before the first caustic does not know its radius.
+            let knows = |radii: &Option<Radii>| radii.is_some_and(|radii| radii.caustic.is_some());
+            if !knows(&self.radii) {
+                self.radii = other.radii;
+            }
+            let pixels = self.pixels.iter_mut().zip(&other.pixels);
+            pixels.for_each(|(to, from)| *to += *from);
+        }
+        Ok(())
     }
 }
 
@@ -52,12 +73,11 @@ impl Progressive<'_> {
     #[must_use]
     pub fn state(&self) -> ProgressiveState {
         ProgressiveState {
-            passes: self.passes,
+            passes: self.pixels.passes,
             photons: self.photons,
             radii: self.radii,
-            shrunk_sq: self.shrunk_sq,
             stats: self.stats,
-            pixels: self.pixels.iter().map(Pixel::numbers).collect(),
+            pixels: self.pixels.sums.clone(),
             uniformity: self.uniformity.clone(),
         }
     }
@@ -75,41 +95,11 @@ impl Progressive<'_> {
         if found != expected {
             return Err(OtherPicture { found, expected });
         }
-        let pixel = |numbers: &[f64; NUMBERS]| Pixel::of_numbers(numbers, state.passes);
-        self.pixels = state.pixels.iter().map(pixel).collect();
-        (self.passes, self.photons) = (state.passes, state.photons);
-        (self.radii, self.shrunk_sq) = (state.radii, state.shrunk_sq);
+        self.pixels.passes = state.passes;
+        self.pixels.sums.clone_from(&state.pixels);
+        (self.photons, self.radii) = (state.photons, state.radii);
         self.stats = state.stats;
-        self.uniformity = state.uniformity.clone();
+        self.uniformity.clone_from(&state.uniformity);
         Ok(())
-    }
-}
-
-impl Pixel {
-    /// The two sums and, of each of the moments, the mean and the squares. Each has as many values as there were passes.
-    fn numbers(&self) -> [f64; NUMBERS] {
-        let sums = [self.sum, self.inner_sum].map(|sum| sum.to_array());
-        let moments = [&self.plain, &self.corrected, &self.bias];
-        let moments = moments.map(|moments| <[f64; 2]>::from(moments.mean_and_squares()));
-        let all = sums.as_flattened().iter().chain(moments.as_flattened());
-        let mut numbers = [0.0; NUMBERS];
-        numbers
-            .iter_mut()
-            .zip(all)
-            .for_each(|(to, from)| *to = *from);
-        numbers
-    }
-
-    fn of_numbers(numbers: &[f64; NUMBERS], passes: u64) -> Self {
-        let [sum, inner_sum] = [0, 3].map(|at| DVec3::from_slice(&numbers[at..]));
-        let moments = [6, 8, 10].map(|at| Moments::of(passes, numbers[at], numbers[at + 1]));
-        let [plain, corrected, bias] = moments;
-        Self {
-            sum,
-            inner_sum,
-            plain,
-            corrected,
-            bias,
-        }
     }
 }

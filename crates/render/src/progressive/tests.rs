@@ -206,3 +206,52 @@ fn a_picture_that_is_continued_is_that_of_one_run() {
         assert_eq!(said, "found the state of 576 pixels, expected 552");
     }
 }
+
+/// Parts of the passes, merged in any order, are the picture of one run: with light sources of its own, and with caustics whose radius is found
+/// in a later pass.
+#[test]
+fn parts_of_the_passes_merge_to_the_picture_of_one_run() {
+    let own = Lighting {
+        caustics: crate::Caustics::Own(20.0),
+        ..Lighting::default()
+    };
+    let format = Engine::from(&PHOTON_FORMATS[0]);
+    // 60 photons give the first caustic in a later pass.
+    for (scene, engine, lighting, photons) in [
+        ("cornell", Engine::F64, own, 500),
+        ("ring", format, own, 60),
+    ] {
+        let scene = Scene::built_in(scene).unwrap();
+        let options = options(photons, 0.6);
+        let of = |index, parts| {
+            let new = Progressive::new(&scene, engine, lighting, VIEW, options).unwrap();
+            let part = Part::new(index, parts).unwrap();
+            let mut picture = new.with_part(part).unwrap();
+            (0..part.passes_of(9)).for_each(|_| picture.pass().unwrap());
+            picture.state()
+        };
+        let whole = of(1, 1);
+        assert_eq!(whole.passes(), 9);
+        for parts in [2, 7, 12] {
+            let mut merged = of(parts, parts);
+            for index in (1..parts).rev() {
+                merged.merge(&of(index, parts)).unwrap();
+            }
+            assert_eq!(merged, whole, "{parts}");
+        }
+    }
+}
+
+#[test]
+fn parts_by_the_chi_square_rule_are_refused() {
+    let scene = Scene::built_in("cornell").unwrap();
+    let options = ProgressiveOptions {
+        rule: RadiusRule::ChiSquare,
+        ..options(1_000, 0.6)
+    };
+    let lighting = Lighting::default();
+    let new = || Progressive::new(&scene, Engine::F64, lighting, VIEW, options).unwrap();
+    let part = Part::new(1, 2).unwrap();
+    assert!(matches!(new().with_part(part), Err(ProgressiveError::Part)));
+    assert!(new().with_part(Part::ALL).is_ok());
+}
