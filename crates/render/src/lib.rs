@@ -86,8 +86,8 @@ pub use metrics::{
 pub use performance::{Speed, f32_speed, forecast_clocks, gather_speed};
 pub use photon_map::{Candidates, MapError, PhotonMap, StoredPhoton};
 pub use progressive::{
-    Balance, ErrorEstimate, Given, NoPart, OtherPicture, Part, PixelBound, Progressive,
-    ProgressiveError, ProgressiveOptions, ProgressiveState, RadiusRule, UnknownRadiusRule,
+    Balance, ErrorEstimate, Given, OtherPicture, PixelBound, Progressive, ProgressiveError,
+    ProgressiveOptions, ProgressiveState, RadiusRule, UnknownRadiusRule,
 };
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{

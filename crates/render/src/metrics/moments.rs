@@ -20,11 +20,6 @@ impl Moments {
         }
     }
 
-    /// The mean, and the sum of squared distances from it.
-    pub(crate) fn mean_and_squares(&self) -> (f64, f64) {
-        (self.mean, self.squares)
-    }
-
     /// Adds one value.
     pub fn push(&mut self, value: f64) {
         self.count += 1;

@@ -38,7 +38,6 @@
 
 mod balance;
 mod error;
-mod part;
 mod pixel;
 mod rule;
 mod state;
@@ -50,7 +49,6 @@ use thiserror::Error;
 
 pub use self::balance::{Balance, Given};
 pub use self::error::{ErrorEstimate, PixelBound};
-pub use self::part::{NoPart, Part};
 pub use self::rule::{RadiusRule, UnknownRadiusRule};
 pub use self::state::{OtherPicture, ProgressiveState};
 
@@ -104,11 +102,16 @@ pub enum ProgressiveError {
         /// The factor that was given.
         found: f64,
     },
-    /// A part of the passes by the chi-square rule.
+    /// A pass by the chi-square rule that is not the next.
     #[error(
-        "parts of the passes: found the radius rule chi-square, whose passes depend on one another; expected schedule"
+        "found pass {pass}, expected the next, {next}: by the radius rule chi-square passes depend on those before them"
     )]
-    Part,
+    Order {
+        /// The pass to make.
+        pass: u64,
+        /// The next pass.
+        next: u64,
+    },
     /// Tracing gave no photons.
     #[error(transparent)]
     Trace(#[from] TraceError),
@@ -127,10 +130,10 @@ pub struct Progressive<'a> {
     lighting: Lighting,
     view: ViewOptions,
     options: ProgressiveOptions,
-    /// Which passes are made here.
-    part: Part,
-    /// The radii of the first pass of all.
+    /// The radii of the first pass.
     radii: Option<Radii>,
+    /// The number of passes, from the first on, in whose photons caustics were looked for.
+    searched: u64,
     photons: u64,
     stats: RenderStats,
     pixels: Pixels,
@@ -160,8 +163,8 @@ impl<'a> Progressive<'a> {
             lighting,
             view,
             options,
-            part: Part::ALL,
             radii: None,
+            searched: 0,
             photons: 0,
             stats: RenderStats::default(),
             pixels: Pixels::new(scene),
@@ -169,23 +172,25 @@ impl<'a> Progressive<'a> {
         })
     }
 
-    /// The picture with a part of the passes only, whose state can be merged with those of the other parts.
-    ///
-    /// # Errors
-    /// By the chi-square rule the radii of a pass depend on all passes before it.
-    pub fn with_part(self, part: Part) -> Result<Self, ProgressiveError> {
-        match self.options.rule {
-            RadiusRule::ChiSquare if part != Part::ALL => Err(ProgressiveError::Part),
-            _ => Ok(Self { part, ..self }),
-        }
-    }
-
     /// Makes one more pass: photons, maps, a picture.
     ///
     /// # Errors
     /// Tracing, the maps or rendering fail.
     pub fn pass(&mut self) -> Result<(), ProgressiveError> {
-        let pass = self.part.pass(self.passes());
+        self.make(self.passes())
+    }
+
+    /// Makes the pass of that number, from 0, which need not be the next: several computers may make a part of the passes each, in
+    /// rising order, and merge their states.
+    ///
+    /// # Errors
+    /// Tracing, the maps or rendering fail. By the chi-square rule the radii of a pass depend on all passes before it, so it must be the
+    /// next.
+    pub fn make(&mut self, pass: u64) -> Result<(), ProgressiveError> {
+        let next = self.passes();
+        if self.options.rule == RadiusRule::ChiSquare && pass != next {
+            return Err(ProgressiveError::Order { pass, next });
+        }
         let trace = self.trace(pass)?;
         let first = self.radii(pass, &trace)?;
         let radii = Radii {
@@ -214,14 +219,14 @@ impl<'a> Progressive<'a> {
     /// The radii of the first pass, as they are known at a pass whose photons are given. Those of the passes before it that other
     /// computers make are traced here too, until a caustic is found.
     fn radii(&mut self, pass: u64, photons: &PhotonTrace) -> Result<Radii, TraceError> {
-        let searched = self.part.searched(self.passes());
-        for before in searched..pass {
+        for before in self.searched..pass {
             if self.radii.is_some_and(|radii| self.is_complete(radii)) {
                 break;
             }
             let trace = self.trace(before)?;
             self.find_radii(&trace);
         }
+        self.searched = pass + 1;
         Ok(self.find_radii(photons))
     }
 
@@ -312,10 +317,10 @@ impl<'a> Progressive<'a> {
         self.photons
     }
 
-    /// The radius of the last pass, in scene units; `None` before the first. By the chi-square rule it is the largest of a pixel.
+    /// The radius of the last pass, where all before it are made, in scene units; `None` before the first. By the chi-square rule it is the largest of a pixel.
     #[must_use]
     pub fn radius(&self) -> Option<f64> {
-        let last = self.part.pass(self.passes().checked_sub(1)?);
+        let last = self.passes().checked_sub(1)?;
         Some(self.radii?.global * self.shrunk(last))
     }
 

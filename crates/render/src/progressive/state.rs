@@ -13,7 +13,7 @@ use crate::render::RenderStats;
 /// All that later passes and the error's estimate need of the passes so far. The sums are exact, so a picture that is interrupted and
 /// continued, and one whose passes several computers made, are bit for bit the picture of one run.
 ///
-/// Scene, engine, lighting, view, options and part are not in it: the caller must give the same ones.
+/// Scene, engine, lighting, view and options are not in it: the caller must give the same ones.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ProgressiveState {
     passes: u64,
@@ -31,7 +31,7 @@ impl ProgressiveState {
         self.passes
     }
 
-    /// Adds the passes of another part of the same picture. The order of such additions makes no difference.
+    /// Adds other passes of the same picture. The order of such additions makes no difference.
     ///
     /// # Errors
     /// The other state has another number of pixels. Nothing is added then.
@@ -98,6 +98,8 @@ impl Progressive<'_> {
         self.pixels.passes = state.passes;
         self.pixels.sums.clone_from(&state.pixels);
         (self.photons, self.radii) = (state.photons, state.radii);
+        // As many passes from the first on were searched at least, whichever they are.
+        self.searched = state.passes;
         self.stats = state.stats;
         self.uniformity.clone_from(&state.uniformity);
         Ok(())
