@@ -14,8 +14,8 @@ use photoncube_render::{
 use photoncube_spec::{CustomOrganisation, nearest};
 
 use self::numbers::{positive, with_negative_values};
-use crate::commands::{VerifyArgs, WavesArgs, family_names, with_method};
-use crate::machines::{ChosenMachineArgs, MachineArgs};
+use crate::commands::{VerifyArgs, family_names, with_method};
+use crate::machines::MachineArgs;
 use crate::narrow::WideArgs;
 use crate::own_program::ProgramArgs;
 use crate::scenes::SceneName;
@@ -24,21 +24,25 @@ mod applies;
 mod board;
 mod compare;
 mod fit;
+mod merge;
 mod numbers;
 #[cfg(test)]
 mod pages;
 mod plan;
 mod progressive;
 mod render;
+mod run;
 mod synth;
 
 pub use self::board::{BoardArgs, BoardCommand, SimulateArgs, Ulx3sArgs};
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
+pub use self::merge::MergeArgs;
 pub use self::numbers::{count, seed, short};
 pub use self::plan::PlanArgs;
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
+pub use self::run::RunArgs;
 pub use self::synth::SynthArgs;
 
 /// From a scene to a verified photon-mapping processor.
@@ -155,6 +159,8 @@ pub enum Command {
     Render(RenderArgs),
     /// Render a picture that gets better pass by pass, until its error is as small as asked for
     Progressive(ProgressiveArgs),
+    /// Put the state files of shards together: the file that one machine would have written
+    Merge(MergeArgs),
     /// How far a picture is from another: relMSE, and a map of the error
     Compare(CompareArgs),
     /// Forecast the photon tests of a picture's queries on a chip, by the size of leaves, chains and batches
@@ -182,43 +188,6 @@ pub enum Command {
         #[arg(long, default_value = "man", value_name = "DIR")]
         out: PathBuf,
     },
-}
-
-/// `run`
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "\
-Examples:
-  photoncube run
-  photoncube run cornell --machine paper-12 --out out --photons 2000000 --json
-
-Without --machine the scene is fitted first, as by `photoncube fit`.
-Both fit on maps of at most 200000 photons and size the sums for twice the largest query of these
-maps. `run` also makes the sums hold the largest query of its own picture, which has all --photons;
-its format may therefore end in a larger -n than the one that `fit` prints.
-The Verilog is compared with the golden model, on photons of the scene, in the built-in evaluator
-and in every simulator that is found (Icarus, Verilator); those that are not found are named, with
-the command that installs them.")]
-pub struct RunArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
-    #[arg(default_value = "cornell")]
-    pub scene: SceneName,
-    #[command(flatten)]
-    pub machine: ChosenMachineArgs,
-    /// The folder for the picture, the Verilog and the summary
-    #[arg(long, default_value = "out", value_name = "DIR")]
-    pub out: PathBuf,
-    #[command(flatten)]
-    pub picture: PictureArgs,
-    /// At least so many iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
-    #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
-    pub iterations: Option<u64>,
-    /// Independent photon maps to fit the format on; more know the error better
-    #[arg(long, default_value_t = FitOptions::default().bench.maps, value_name = "N", value_parser = count(3..=u64::MAX), conflicts_with = "machine")]
-    pub maps: u64,
-    #[command(flatten)]
-    pub waves: WavesArgs,
-    #[command(flatten)]
-    pub wide: WideArgs,
 }
 
 /// The picture's size and quality.

@@ -27,6 +27,16 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     put(path, stage(path, bytes)?)
 }
 
+/// Writes a file as its contents are made, beside its place, and renames it when it is whole.
+pub fn write_with(
+    path: &Path,
+    contents: impl FnOnce(&mut NamedTempFile) -> Result<()>,
+) -> Result<()> {
+    let mut file = stage(path, &[])?;
+    contents(&mut file)?;
+    put(path, file)
+}
+
 /// Writes all of the files, or none where one cannot be written.
 pub fn write_all<'a>(files: impl IntoIterator<Item = (PathBuf, &'a [u8])>) -> Result<()> {
     let staged = files.into_iter().map(|(path, bytes)| {

@@ -26,6 +26,7 @@ mod progress;
 mod project;
 mod rows;
 mod scenes;
+mod shards;
 mod sight;
 mod stages;
 mod synth;

@@ -1,6 +1,6 @@
 //! The arguments of `progressive`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args as ClapArgs;
 use photoncube_render::{MAX_PHOTONS, ProgressiveOptions, RadiusRule, ViewOptions};
@@ -8,6 +8,7 @@ use photoncube_render::{MAX_PHOTONS, ProgressiveOptions, RadiusRule, ViewOptions
 use super::numbers::{count, positive, seed};
 use super::{EngineArgs, LightArgs, Size};
 use crate::scenes::SceneName;
+use crate::shards::Shard;
 
 /// `progressive`
 #[derive(ClapArgs, Debug)]
@@ -19,6 +20,7 @@ Examples:
   photoncube progressive cornell -o box.exr --size 128x128 --reference docs/reference/cornell.exr
   photoncube progressive cornell -o box.png --state box.state --passes 16
   photoncube progressive cornell -o box.png --state box.state --resume --passes 64
+  photoncube progressive cornell --passes 64 --shard 2/7 --state box-2.state
 
 Each pass has photons of its own, and a smaller radius; the picture is the mean of the passes. Each
 pass gathers at the whole and at half the squared radius, which tells the bias; the spread of the
@@ -40,13 +42,14 @@ carries the caustics. A caustics' map of its own has the schedule. See docs/accu
 
 Ctrl-C ends the run after the pass that is under way, and writes the picture of the passes so far.
 --resume needs the options of the run that began the picture: those of the passes, the engine and
-the light. --passes, --error-target, --confidence and the files may be others.")]
+the light. --passes, --error-target, --confidence and the files may be others. It also makes the
+picture of shards that `photoncube merge` has put together.")]
 pub struct ProgressiveArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     pub scene: SceneName,
     /// The picture, a PNG or OpenEXR file
-    #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
+    #[arg(short, long, value_name = "FILE", required_unless_present = "shard")]
+    output: Option<PathBuf>,
     /// Passes, at most
     #[arg(long, default_value_t = 64, value_name = "N", value_parser = count(2..=u64::MAX))]
     pub passes: u64,
@@ -101,6 +104,17 @@ pub struct ProgressiveArgs {
     /// Go on from the state in the file of --state; the picture is byte for byte that of one run
     #[arg(long, requires = "state")]
     pub resume: bool,
+    /// Make only every N-th pass, from pass I on, and no picture: its sums are kept in the file of --state, which a later run goes on with.
+    /// `photoncube merge` adds the files of all shards up
+    #[arg(long, value_name = "I/N", requires = "state", conflicts_with_all = ["output", "error_target", "reference", "plot", "error_map", "snapshots", "resume"])]
+    pub shard: Option<Shard>,
+}
+
+impl ProgressiveArgs {
+    /// The picture, which only a shard has not.
+    pub fn output(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
 }
 
 fn parse_confidence(text: &str) -> Result<f64, String> {

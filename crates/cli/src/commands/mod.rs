@@ -7,6 +7,7 @@ mod fit;
 mod generate;
 mod hard_cases;
 mod list;
+mod merge;
 mod microprogram;
 mod plan;
 mod progressive;
@@ -43,6 +44,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Verify(options) => verify::execute(&options, json),
         Command::Render(options) => with_hint(render::execute(&options, json)),
         Command::Progressive(options) => with_hint(progressive::execute(&options, json)),
+        Command::Merge(options) => merge::execute(&options, json),
         Command::Compare(options) => compare::execute(&options, json),
         Command::Plan(options) => plan::execute(&options, json),
         Command::Report(options) => report::execute(&options, json),

@@ -1,16 +1,15 @@
 //! The command `progressive`: a picture that improves pass by pass.
 
 mod kept;
+mod setup;
+mod shard;
 mod text;
 mod work;
 
 use std::time::Instant;
 
-use anyhow::{Result, ensure};
-use photoncube_render::{
-    Area, Balance, Caustics, DirectLight, ErrorEstimate, Estimator, Given, Image, Lighting,
-    Progressive, ProgressiveOptions, RadiusRule, Scene, ViewOptions, ball_errors,
-};
+use anyhow::{Context, Result, ensure};
+use photoncube_render::{ErrorEstimate, Image, ball_errors};
 use serde::{Deserialize, Serialize};
 
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs, short};
@@ -18,14 +17,20 @@ use crate::core::CoreReport;
 use crate::failure::CheckFailed;
 use crate::interrupt::Interrupt;
 use crate::narrow::narrow;
-use crate::outputs::{self, Output};
 use crate::plots::Reached;
+use crate::shards::{Header, Shard};
 use crate::stages::write_picture;
-use crate::{output, scenes, sight};
+use crate::{output, sight};
+
+pub use self::kept::{merge, passes};
 
 use self::kept::Keeper;
+use self::setup::Setup;
 use self::text::text;
-use self::work::{Work, snapshot};
+use self::work::Work;
+
+/// The name of the command, in state files.
+pub const NAME: &str = "progressive";
 
 /// The figures after some passes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -107,39 +112,19 @@ enum End {
 /// Renders until the error is as small as requested, or the passes are made.
 pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let chosen = args.engine.find()?;
-    let engine = chosen.engine();
-    let scene = scenes::load(&args.scene)?;
-    let lighting = args.light.lighting(&LIGHTING);
-    lighting.check(&scene, &Estimator::FixedRadius)?;
-    check_outputs(args, &scene)?;
-    let base = ViewOptions {
-        width: args.size.width,
-        height: args.size.height,
-        seed: args.seed,
-        ..ViewOptions::default()
-    };
-    sight::check(&scene, &base)?;
-    let balance = balance(args, &scene, &lighting, &base)?;
-    let (view, options) = (
-        ViewOptions {
-            samples_per_axis: balance.samples_per_axis,
-            ..base
-        },
-        ProgressiveOptions {
-            photons: balance.photons,
-            rule: args
-                .radius_rule
-                .unwrap_or_else(|| RadiusRule::of(&lighting)),
-            ..options(args)
-        },
-    );
-    let lighting = Lighting {
-        direct: match lighting.direct {
-            DirectLight::Map => DirectLight::Map,
-            DirectLight::Rays(_) => DirectLight::Rays(balance.rays),
-        },
-        ..lighting
-    };
+    let setup = Setup::new(args, chosen.engine())?;
+    if let Some(shard) = args.shard {
+        return shard::execute(args, &setup, shard, json);
+    }
+    let Setup {
+        scene,
+        engine,
+        lighting,
+        view,
+        options,
+        balance,
+    } = &setup;
+    let output = args.output().context("a picture has a file")?;
     let reference = args.reference.as_deref().map(Image::read_exr).transpose()?;
     if let (Some(reference), Some(path)) = (&reference, &args.reference) {
         let size = (reference.width(), reference.height());
@@ -152,14 +137,14 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
             args.size
         );
     }
-    let progressive = Progressive::new(&scene, engine, lighting, view, options)?;
     let keeper = args.state.clone().map(|path| {
-        let settings = kept::settings(args, &scene, engine, &lighting, &balance, options.rule);
-        Keeper::new(path, settings)
+        let header = Header::new(NAME, setup.settings(args), None, Shard::WHOLE);
+        Keeper::new(path, header)
     });
     let mut work = Work {
         args,
-        progressive,
+        output,
+        progressive: setup.picture()?,
         reference,
         start: Instant::now(),
         seconds_before: 0.0,
@@ -172,18 +157,18 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let resumed_passes = work.progressive.passes();
     let end = work.run(&Interrupt::watch()?)?;
     let (image, stats) = (work.progressive.image(), work.progressive.stats());
-    sight::check_light(&image, &scene, &view, stats)?;
-    write_picture(&image, &args.output)?;
+    sight::check_light(&image, scene, view, stats)?;
+    write_picture(&image, output)?;
     work.write_plot(scene.name())?;
     work.write_error_map(scene.name())?;
     let error = work.progressive.error(args.confidence);
     let passes = work.progressive.passes();
     let report = Report {
         scene: args.scene.to_string(),
-        engine: EngineReport::of(engine),
+        engine: EngineReport::of(*engine),
         core: chosen.core_report(stats.estimates - before),
-        light: LightingReport::of(&lighting),
-        output: args.output.display().to_string(),
+        light: LightingReport::of(lighting),
+        output: output.display().to_string(),
         seed: args.seed,
         photons_per_pass: balance.photons,
         samples_per_axis: balance.samples_per_axis,
@@ -201,8 +186,8 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         interrupted: end == End::Interrupted,
         progress: work.rows,
         balls: sight::balls(&ball_errors(
-            &scene,
-            &lighting,
+            scene,
+            lighting,
             work.progressive.radius().unwrap_or_default(),
         )),
         is_ruled_by_bias: error.as_ref().is_some_and(ErrorEstimate::is_ruled_by_bias),
@@ -232,59 +217,4 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         .into()),
         _ => Ok(()),
     }
-}
-
-/// Checks all files that may be written against all that are read.
-fn check_outputs(args: &ProgressiveArgs, scene: &Scene) -> Result<()> {
-    let mut outputs = vec![Output::picture("-o", &args.output)];
-    outputs.extend(args.plot.iter().map(|path| Output::plot("--plot", path)));
-    let state = args.state.iter();
-    outputs.extend(state.map(|path| Output::within("--state", path.clone())));
-    let map = args.error_map.iter();
-    outputs.extend(map.map(|path| Output::plot("--error-map", path)));
-    if args.snapshots {
-        let powers = (0..u64::BITS).map(|power| 1 << power);
-        let passes = powers.take_while(|passes| *passes <= args.passes);
-        let snapshots = passes.map(|passes| snapshot(&args.output, passes));
-        outputs.extend(snapshots.map(|path| Output::within("--snapshots", path)));
-    }
-    let mut inputs = scene.files().to_vec();
-    inputs.extend(args.reference.clone());
-    outputs::check(&outputs, &inputs)
-}
-
-/// The lighting that is not given: what needs the least time for an error. The pilot chooses the number of shadow rays.
-const LIGHTING: Lighting = Lighting {
-    direct: DirectLight::Rays(1),
-    caustics: Caustics::OWN,
-    final_gather: 0,
-    area: Area::Covered,
-};
-
-fn options(args: &ProgressiveArgs) -> ProgressiveOptions {
-    ProgressiveOptions {
-        in_range: args.in_range,
-        alpha: args.alpha,
-        seed: args.seed,
-        ..ProgressiveOptions::default()
-    }
-}
-
-/// What a pass is made of: what is given, and what a pilot chooses.
-fn balance(
-    args: &ProgressiveArgs,
-    scene: &Scene,
-    lighting: &Lighting,
-    view: &ViewOptions,
-) -> Result<Balance> {
-    let given = Given {
-        photons: args.photons,
-        samples_per_axis: args.samples,
-        rays: match args.light.direct {
-            Some(DirectLight::Rays(rays)) => Some(rays),
-            _ => None,
-        },
-    };
-    let options = options(args);
-    Ok(Balance::choose(scene, lighting, view, &options, given)?)
 }

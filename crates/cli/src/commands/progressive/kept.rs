@@ -1,13 +1,13 @@
-//! The file of `--state`: what a progressive picture is after some passes, from which `--resume` goes on.
+//! The file of `--state`: what a progressive picture is after some passes, from which `--resume` goes on, or what a shard has made of
+//! it.
 //!
-//! The file has a line that says what it is, a line of JSON with the settings of the picture, the state in the format of
-//! the crate `postcard`, and SHA-256 of all of this. The state has each number in 64 bits, so nothing is rounded.
+//! The file has the header of a state file, the state in the format of the crate `postcard`, and SHA-256 of all of this. The state has
+//! the exact sums, so nothing is rounded.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use photoncube_render::{Balance, Engine, Image, Lighting, ProgressiveState, RadiusRule, Scene};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -15,16 +15,10 @@ use sha2::{Digest, Sha256};
 use super::Row;
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
 use crate::files;
-
-/// The first line. The number is that of the format and changes with it.
-const FIRST_LINE: &[u8] = b"photoncube progressive state 3\n";
+use crate::shards::{Header, Input, Selection, Settings};
 
 /// The bytes of SHA-256.
 const DIGEST_BYTES: usize = 32;
-
-/// All that two runs must have in common so that one can go on with the passes of the other, by the names of the
-/// options, as text.
-pub type Settings = BTreeMap<String, String>;
 
 /// The settings of a picture.
 pub fn settings(
@@ -36,7 +30,6 @@ pub fn settings(
     rule: RadiusRule,
 ) -> Settings {
     let own = [
-        ("photoncube version", env!("CARGO_PKG_VERSION").to_owned()),
         ("scene, its SHA-256", scene.sha256()),
         ("--photons", balance.photons.to_string()),
         ("--in-range", args.in_range.to_string()),
@@ -103,13 +96,13 @@ impl Kept {
 /// Keeps the state of a picture in a file.
 pub struct Keeper {
     path: PathBuf,
-    settings: Settings,
+    header: Header,
 }
 
 impl Keeper {
-    /// Keeps the state of a picture of these settings in that file.
-    pub fn new(path: PathBuf, settings: Settings) -> Self {
-        Self { path, settings }
+    /// Keeps the state of that header in that file.
+    pub fn new(path: PathBuf, header: Header) -> Self {
+        Self { path, header }
     }
 
     /// The file.
@@ -129,7 +122,7 @@ impl Keeper {
 
     /// Writes the file.
     pub fn write(&self, kept: &Kept) -> Result<()> {
-        files::write(&self.path, &bytes(&self.settings, kept)?)
+        files::write(&self.path, &bytes(&self.header, kept)?)
     }
 
     /// Reads the file.
@@ -144,65 +137,76 @@ impl Keeper {
                 said()
             )
         })?;
-        read(&self.settings, &bytes).with_context(said)
+        let read = || {
+            let mut rest = bytes.as_slice();
+            let found = Header::read(&mut rest)?;
+            let advice = "give the options of the run that began it";
+            self.header.check_same(&found, advice)?;
+            ensure!(
+                found.shards == self.header.shards,
+                "found shards {:?}, expected {:?}",
+                found.shards.has,
+                self.header.shards.has
+            );
+            kept_in(&bytes, rest)
+        };
+        read().with_context(said)
     }
 }
 
-fn bytes(settings: &Settings, kept: &Kept) -> Result<Vec<u8>> {
-    let mut bytes = FIRST_LINE.to_vec();
-    bytes.extend(serde_json::to_vec(settings)?);
-    bytes.push(b'\n');
+/// The bytes of a file.
+pub fn bytes(header: &Header, kept: &Kept) -> Result<Vec<u8>> {
+    let mut bytes = header.line();
     bytes.extend(postcard::to_allocvec(kept)?);
     let digest = Sha256::digest(&bytes);
     bytes.extend(digest);
     Ok(bytes)
 }
 
-fn read(settings: &Settings, bytes: &[u8]) -> Result<Kept> {
-    let expected = String::from_utf8_lossy(FIRST_LINE.trim_ascii_end());
-    let Some(rest) = bytes.strip_prefix(FIRST_LINE) else {
-        let first = bytes
-            .split(|byte| *byte == b'\n')
-            .next()
-            .unwrap_or_default();
-        let found =
-            String::from_utf8_lossy(&first[..first.len().min(FIRST_LINE.len())]).into_owned();
-        bail!("found a file that begins with {found:?}, expected {expected:?}");
-    };
+/// What is kept in a file: `bytes`, all of it, of which `body` comes behind the header.
+///
+/// # Errors
+/// The file is damaged, or not whole.
+pub fn kept_in(bytes: &[u8], body: &[u8]) -> Result<Kept> {
     let damaged =
         "found a file that is damaged or not whole, expected one as `progressive --state` wrote it";
-    let end = bytes.len() - DIGEST_BYTES.min(rest.len());
-    ensure!(Sha256::digest(&bytes[..end])[..] == bytes[end..], damaged);
-    let body = &bytes[FIRST_LINE.len()..end];
-    let line = body
-        .iter()
-        .position(|byte| *byte == b'\n')
-        .context(damaged)?;
-    let found: Settings = serde_json::from_slice(&body[..line]).context(damaged)?;
-    same(&found, settings)?;
-    postcard::from_bytes(&body[line + 1..]).context(damaged)
+    let body_bytes = body.len().checked_sub(DIGEST_BYTES).context(damaged)?;
+    let digest_at = bytes.len() - DIGEST_BYTES;
+    ensure!(
+        Sha256::digest(&bytes[..digest_at])[..] == bytes[digest_at..],
+        damaged
+    );
+    postcard::from_bytes(&body[..body_bytes]).context(damaged)
 }
 
-/// Refuses the settings of another picture.
-fn same(found: &Settings, expected: &Settings) -> Result<()> {
-    let names = found.keys().chain(expected.keys());
-    let names: std::collections::BTreeSet<_> = names.collect();
-    let of = |settings: &Settings, name: &str| {
-        let value = settings.get(name);
-        value.map_or("none".to_owned(), ToOwned::to_owned)
-    };
-    let differs = |name: &&&String| found.get(**name) != expected.get(**name);
-    let differing = names.iter().filter(differs).map(|name| {
-        let (found, expected) = (of(found, name), of(expected, name));
-        format!("{name}: found {found}, expected {expected}")
-    });
-    let differing: Vec<_> = differing.collect();
-    ensure!(
-        differing.is_empty(),
-        "the state is that of another picture: {}; give the options of the run that began it",
-        differing.join("; ")
-    );
-    Ok(())
+/// The number of passes in a file.
+///
+/// # Errors
+/// It is damaged, or not whole.
+pub fn passes(input: &Input) -> Result<u64> {
+    Ok(kept_of(input)?.state.passes())
+}
+
+fn kept_of(input: &Input) -> Result<Kept> {
+    let said = || input.path.display().to_string();
+    let bytes = fs::read(&input.path).with_context(said)?;
+    let mut rest = bytes.as_slice();
+    Header::read(&mut rest)?;
+    kept_in(&bytes, rest).with_context(said)
+}
+
+/// Writes the file of the shards of all files together, in memory for one of them and for their sum.
+///
+/// # Errors
+/// A file is damaged, or of another picture; or the result cannot be written.
+pub fn merge(selection: &Selection, header: &Header, to: &Path) -> Result<()> {
+    let mut inputs = selection.inputs.iter();
+    let mut sum = kept_of(inputs.next().context("there is a file")?)?;
+    for input in inputs {
+        let said = || input.path.display().to_string();
+        sum.state.merge(&kept_of(input)?.state).with_context(said)?;
+    }
+    files::write(to, &bytes(header, &sum)?)
 }
 
 #[cfg(test)]
@@ -210,6 +214,7 @@ mod tests {
     use photoncube_render::{Progressive, ProgressiveOptions, ViewOptions};
 
     use super::*;
+    use crate::shards::Shard;
 
     fn kept() -> Kept {
         let scene = Scene::built_in("cornell").unwrap();
@@ -233,52 +238,42 @@ mod tests {
         }
     }
 
-    fn settings() -> Settings {
+    fn header() -> Header {
         let settings = [("--seed", "1"), ("--size", "4x4")];
-        settings
-            .map(|(name, value)| (name.to_owned(), value.to_owned()))
-            .into()
+        let settings = settings.map(|(name, value)| (name.to_owned(), value.to_owned()));
+        Header::new("progressive", settings.into(), None, Shard::WHOLE)
+    }
+
+    fn read(bytes: &[u8]) -> Result<Kept> {
+        let mut rest = bytes;
+        let found = Header::read(&mut rest)?;
+        header().check_same(&found, "give its options")?;
+        kept_in(bytes, rest)
     }
 
     #[test]
-    fn what_is_written_is_read_and_a_pixel_takes_twelve_numbers() {
-        let (settings, kept) = (settings(), kept());
-        let bytes = bytes(&settings, &kept).unwrap();
-        assert_eq!(read(&settings, &bytes).unwrap(), kept);
-        let pixels = 16 * 12 * size_of::<f64>();
-        assert!(
-            (pixels..pixels + 256).contains(&bytes.len()),
-            "{}",
-            bytes.len()
-        );
+    fn what_is_written_is_read_and_a_pixel_takes_at_most_eleven_numbers() {
+        let kept = kept();
+        let bytes = bytes(&header(), &kept).unwrap();
+        assert_eq!(read(&bytes).unwrap(), kept);
+        // Numbers of 128 bits take at most 19 bytes.
+        let pixels = 16 * 11 * 19;
+        assert!(bytes.len() < pixels + 512, "{}", bytes.len());
     }
 
     #[test]
     fn a_file_that_is_damaged_anywhere_is_refused() {
-        let (settings, kept) = (settings(), kept());
-        let whole = bytes(&settings, &kept).unwrap();
+        let whole = bytes(&header(), &kept()).unwrap();
         for at in 0..whole.len() {
             let mut bytes = whole.clone();
             bytes[at] ^= 1;
-            let said = format!("{:#}", read(&settings, &bytes).unwrap_err());
-            assert!(said.starts_with("found a file that "), "{said}");
-            assert!(read(&settings, &whole[..at]).is_err(), "{at}");
+            assert!(read(&bytes).is_err(), "{at}");
+            assert!(read(&whole[..at]).is_err(), "{at}");
         }
-        assert!(read(&settings, &[&whole[..], b"more"].concat()).is_err());
-    }
-
-    #[test]
-    fn the_state_of_another_picture_is_refused_with_all_that_differs() {
-        let (found, kept) = (settings(), kept());
-        let bytes = bytes(&found, &kept).unwrap();
-        let mut expected = found;
-        expected.insert("--seed".to_owned(), "2".to_owned());
-        expected.insert("--format".to_owned(), "local8-rgb8e5".to_owned());
-        let said = read(&expected, &bytes).unwrap_err().to_string();
-        assert_eq!(
-            said,
-            "the state is that of another picture: --format: found none, expected local8-rgb8e5; --seed: found 1, \
-             expected 2; give the options of the run that began it"
-        );
+        assert!(read(&[&whole[..], b"more"].concat()).is_err());
+        let mut damaged = whole;
+        *damaged.last_mut().unwrap() ^= 1;
+        let said = format!("{:#}", read(&damaged).unwrap_err());
+        assert!(said.starts_with("found a file that is damaged"), "{said}");
     }
 }

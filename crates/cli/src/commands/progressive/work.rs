@@ -15,11 +15,13 @@ use crate::stages::{Distance, write_picture};
 use crate::{files, progress};
 
 /// The time between two writings of the state while the passes go on.
-const KEPT_EVERY: Duration = Duration::from_secs(60);
+pub const KEPT_EVERY: Duration = Duration::from_secs(60);
 
 /// The passes of a picture, and what is kept of them.
 pub struct Work<'a> {
     pub args: &'a ProgressiveArgs,
+    /// The picture.
+    pub output: &'a Path,
     pub progressive: Progressive<'a>,
     pub reference: Option<Image>,
     pub start: Instant,
@@ -121,7 +123,7 @@ impl Work<'_> {
     fn push_row(&mut self, error: Option<&ErrorEstimate>) -> Result<()> {
         let (passes, image) = (self.progressive.passes(), self.progressive.image());
         if self.args.snapshots {
-            let path = snapshot(&self.args.output, passes);
+            let path = snapshot(self.output, passes);
             write_picture(&image, &path)?;
             self.files.push(path.display().to_string());
         }
