@@ -43,8 +43,8 @@ pub use crate::core::{
 };
 pub use board::{BoardError, BoardVerdict, Scenario, board_controls, verify_board};
 pub use campaign::{
-    Done, Failure, Keeper, Pair, Regression, RegressionError, State, StateError, Summary, campaign,
-    minimised, pairs,
+    Done, Failure, Keeper, NumberedJob, Pair, Regression, RegressionError, State, StateError,
+    Summary, campaign, minimised, pairs,
 };
 pub use compare::{Activity, Actual, Divergence};
 pub use controls::{

@@ -3,6 +3,7 @@
 //! The [`State`] records the jobs that are done and is saved after each job. A campaign that was killed
 //! continues with the jobs that its state lacks, and repeats a job that was under way.
 
+mod job;
 mod minimise;
 mod regression;
 mod state;
@@ -19,6 +20,7 @@ use crate::device::DeviceKind;
 use crate::stimulus::{Source, chunk_seed};
 use crate::verify::{VerifyError, VerifyOptions, verify};
 
+pub use job::NumberedJob;
 pub use minimise::minimised;
 pub use regression::{Regression, RegressionError};
 pub use state::{Done, Failure, State, StateError, Summary};

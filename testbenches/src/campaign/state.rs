@@ -70,6 +70,26 @@ impl From<Verdict> for Summary {
     }
 }
 
+impl Summary {
+    /// For each machine and tool, the sum of its jobs, with the first job's seed, and the number of jobs.
+    pub fn totals<'a>(jobs: impl Iterator<Item = &'a Self>) -> Vec<(Self, usize)> {
+        let mut totals: BTreeMap<_, (Self, usize)> = BTreeMap::new();
+        for job in jobs {
+            let key = (&job.machine, &job.device, &job.tool_version);
+            match totals.get_mut(&key) {
+                None => drop(totals.insert(key, (job.clone(), 1))),
+                Some((total, jobs)) => {
+                    total.iterations += job.iterations;
+                    total.results_compared += job.results_compared;
+                    total.vectors_compared += job.vectors_compared;
+                    *jobs += 1;
+                }
+            }
+        }
+        totals.into_values().collect()
+    }
+}
+
 /// A machine that differed from its model in a device. The campaign continues without this pair.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Failure {
@@ -136,20 +156,7 @@ impl State {
 
     /// For each machine and tool, the sum of its jobs, with the first job's seed, and the number of jobs.
     pub fn totals(&self) -> Vec<(Summary, usize)> {
-        let mut totals: BTreeMap<_, (Summary, usize)> = BTreeMap::new();
-        for Done { verdict, .. } in &self.jobs {
-            let key = (&verdict.machine, &verdict.device, &verdict.tool_version);
-            match totals.get_mut(&key) {
-                None => drop(totals.insert(key, (verdict.clone(), 1))),
-                Some((total, jobs)) => {
-                    total.iterations += verdict.iterations;
-                    total.results_compared += verdict.results_compared;
-                    total.vectors_compared += verdict.vectors_compared;
-                    *jobs += 1;
-                }
-            }
-        }
-        totals.into_values().collect()
+        Summary::totals(self.jobs.iter().map(|done| &done.verdict))
     }
 
     pub(super) fn is_done(&self, job: u64) -> bool {

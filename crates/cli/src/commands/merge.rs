@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::progressive;
 use crate::args::MergeArgs;
 use crate::outputs::{self, Output};
-use crate::shards::{Header, Input, Selection, lines, merge_lines};
+use crate::shards::{Input, Selection, lines, merge_lines};
 use crate::{files, output};
 
 #[derive(Serialize)]
