@@ -1,9 +1,9 @@
 //! The resources of a device that a design uses, or would need.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A kind of resource of a device, such as logic cells.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Resource {
     /// nextpnr's name of the resource.
     pub resource: String,

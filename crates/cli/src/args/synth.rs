@@ -11,6 +11,7 @@ use fpga_flow::{Device, FLOWS, Flow, Placer, Router};
 
 use crate::narrow::WideArgs;
 use crate::project::ABC9_TARGET_PS;
+use crate::shards::{Shard, ShardArgs};
 use crate::synth::figures::recorded_flows;
 use crate::synth::{DEFAULT_DEVICE, asic};
 
@@ -25,6 +26,7 @@ Examples:
   photoncube synth --machine paper --device up5k     area and clock in an iCE40, or what it lacks
   photoncube synth --check                           fails where the committed rows are stale
   photoncube synth --asic --machine stream           area, clock and energy in standard cells
+  photoncube synth --seeds 20 --shard 2/7 --state 2.jobs    a part of the work, for `photoncube merge`
 
 Yosys maps each machine in every flow; nextpnr places and routes it on an FPGA, in a serial wrapper
 that gives each port a register, with DSP blocks only where the machine's squarer is a product.
@@ -76,14 +78,14 @@ pub struct SynthArgs {
     #[arg(long, default_value = "docs/measured", value_name = "DIR")]
     pub out: PathBuf,
     /// Write what was measured, also if it is not everything, and keep the other rows
-    #[arg(long)]
+    #[arg(long, conflicts_with = "shard")]
     pub update: bool,
     /// Measure nothing; fail if the files are not about these machines' Verilog, all of it
-    #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "placer", "router", "jobs", "tools"])]
+    #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "placer", "router", "jobs", "tools", "shard", "state"])]
     pub check: bool,
     /// In standard cells instead: area, clock, and energy of a photon test, by Yosys and OpenSTA, without wires and clock tree
     #[arg(long, conflicts_with_all = ["chains", "flows", "device", "grades", "seeds", "seed", "map_for", "placer", "router", "out",
-        "update", "check"])]
+        "update", "check", "shard", "state"])]
     pub asic: bool,
     /// The Liberty library of the standard cells
     #[arg(long, requires = "asic", default_value = asic::LIBERTY, value_name = "FILE")]
@@ -91,6 +93,8 @@ pub struct SynthArgs {
     /// The transitions of each net in a clock cycle
     #[arg(long, requires = "asic", default_value_t = asic::ACTIVITY, value_name = "X", value_parser = activity)]
     pub activity: f64,
+    #[command(flatten)]
+    pub shard: ShardArgs,
     #[command(flatten)]
     pub wide: WideArgs,
 }
@@ -160,6 +164,12 @@ fn routers() -> impl TypedValueParser<Value = Router> {
 }
 
 impl SynthArgs {
+    /// Whether the measurements are written to the committed figures. Those of one of several shards are not.
+    pub fn writes(&self) -> bool {
+        let is_whole = self.shard.shard.is_none_or(|shard| shard == Shard::WHOLE);
+        is_whole && (self.update || self.is_complete())
+    }
+
     /// The flows to count areas in.
     pub fn area_flows(&self) -> Vec<&'static Flow> {
         let family = self.device.family();

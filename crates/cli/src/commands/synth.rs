@@ -1,6 +1,7 @@
 //! The command `synth`: area and clock of the machines, by Yosys and nextpnr.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use fpga_flow::{Flow, Tools};
@@ -10,11 +11,13 @@ use serde::Serialize;
 
 use crate::args::SynthArgs;
 use crate::failure::CheckFailed;
-use crate::output;
+use crate::shards::{Header, Ledger, Settings, Shard};
 use crate::synth::clock::{Clock, clocks};
-use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, PlaceSetting, Row};
-use crate::synth::plan::{DeviceUse, Plan};
+use crate::synth::figures::{self, AreaRow, COMMAND, PlaceRow, Row};
+use crate::synth::plan::{DeviceUse, Measured, Plan};
+use crate::synth::writer::Writers;
 use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, asic, tables};
+use crate::{output, progress};
 
 #[derive(Serialize)]
 struct Report {
@@ -72,7 +75,7 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
     args.grades
         .iter()
         .try_for_each(|&grade| args.device.check_grade(grade))?;
-    if writes(args) && args.device.name != DEFAULT_DEVICE {
+    if args.writes() && args.device.name != DEFAULT_DEVICE {
         bail!(
             "{} is for {}; `{COMMAND} --device {}` prints, if a machine, flow or grade is named and \
              --update is not",
@@ -93,11 +96,6 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
         Some(core) => vec![Subject::of_core(&core)?],
     };
     measure(args, &tools, subjects, json)
-}
-
-/// Whether the measurements are written to the committed figures.
-fn writes(args: &SynthArgs) -> bool {
-    args.update || args.is_complete()
 }
 
 fn subjects(machines: &[&'static Machine]) -> Result<Vec<Subject>> {
@@ -168,34 +166,25 @@ fn named(machines: &[&str]) -> String {
 
 fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) -> Result<()> {
     let plan = Plan::new(args, subjects);
-    let writes = writes(args);
     // The tools run in a sandbox that sees the current folder and below, so each machine has its own folder.
     let scratch = tempfile::tempdir().context("cannot make a scratch folder")?;
     let tool_versions = tools.versions(scratch.path())?;
-    let (area_groups, place_groups) = plan.groups();
-    // Both writers are made before the long work, so that work whose result cannot be written is not begun.
-    let area_writer = match writes && !plan.flows.is_empty() {
-        true => {
-            let setting = AreaSetting::new(&tool_versions);
-            Some(plan.writer(args, setting, &area_groups, plan.flows.len())?)
+    // The writers are made before the long work, so that work whose result cannot be written is not begun.
+    let writers = Writers::new(args, &plan, &tool_versions)?;
+    let found = results(args, &plan, tools, scratch.path(), &writers, &tool_versions)?;
+    let (mut areas, mut placements, mut device_use) = (Vec::new(), Vec::new(), Vec::new());
+    for measured in found {
+        match measured {
+            Measured::Area(row) => areas.push(row),
+            Measured::Placed(row, used) => {
+                placements.push(row);
+                device_use.push(used);
+            }
+            Measured::TooLarge(used) => device_use.push(used),
         }
-        false => None,
-    };
-    let place_writer = match writes && plan.places {
-        true => {
-            let setting = PlaceSetting::new(plan.device, &tool_versions);
-            Some(plan.writer(args, setting, &place_groups, plan.tries().len())?)
-        }
-        false => None,
-    };
-    plan.announce();
-    plan.write_verilog(scratch.path())?;
-    let areas = plan.areas(tools, scratch.path(), area_writer.as_ref())?;
-    let (placements, device_use) = plan.placements(tools, scratch.path(), place_writer.as_ref())?;
-    let written = [
-        area_writer.map(|writer| writer.path()),
-        place_writer.map(|writer| writer.path()),
-    ];
+    }
+    // A machine needs as much in every speed grade and with every seed.
+    device_use.dedup_by(|used, other| used.machine == other.machine);
     let report = Report {
         machines: verilog_rows(&plan),
         device: plan.device.name,
@@ -208,10 +197,67 @@ fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) 
         areas,
         placements,
         device_use,
-        files: written.into_iter().flatten().collect(),
+        files: writers.paths(),
     };
     output::print_tables(json, args.wide, &report, || text(&report))?;
     conclusion(&report)
+}
+
+/// The measurements of the shard: those of its state, and those that are made now.
+fn results(
+    args: &SynthArgs,
+    plan: &Plan,
+    tools: &Tools,
+    scratch: &Path,
+    writers: &Writers,
+    tool_versions: &BTreeMap<String, String>,
+) -> Result<Vec<Measured>> {
+    let jobs = plan.measurements();
+    let shard = args.shard.shard.unwrap_or(Shard::WHOLE);
+    let settings = settings(args, plan, tool_versions);
+    let header = Header::new("synth", settings, Some(jobs.len() as u64), shard);
+    let ledger = Ledger::open(args.shard.state.as_deref(), header)?;
+    for (&number, measured) in ledger.done() {
+        writers.take(&jobs[number as usize], measured)?;
+    }
+    let to_do: Vec<_> = ledger.to_do().iter().map(|&n| jobs[n as usize]).collect();
+    plan.announce(&to_do);
+    plan.write_verilog(scratch)?;
+    plan.map(tools, scratch, &to_do)?;
+    let bar = progress::bar("measurements", 0);
+    let found = ledger.work(plan.jobs, &bar, |number| {
+        let job = &jobs[number as usize];
+        let measured = plan.measure(tools, scratch, job)?;
+        writers.take(job, &measured)?;
+        Ok(measured)
+    })?;
+    Ok(found.into_values().collect())
+}
+
+/// What other workers must have in common.
+fn settings(args: &SynthArgs, plan: &Plan, tool_versions: &BTreeMap<String, String>) -> Settings {
+    let digests = plan.subjects.iter();
+    let digests = digests.map(|of| format!("{} {}", of.name, of.verilog_sha256));
+    let flows = plan.flows.iter().map(ToString::to_string);
+    let tries = plan.tries();
+    let tries = tries
+        .iter()
+        .map(|what| format!("{:?} {}", what.speed_grade, what.seed));
+    let own = [
+        (
+            "machines, their SHA-256",
+            digests.collect::<Vec<_>>().join(", "),
+        ),
+        ("--flow", flows.collect::<Vec<_>>().join(", ")),
+        ("--device", plan.device.name.to_owned()),
+        ("--grade and --seeds", tries.collect::<Vec<_>>().join(", ")),
+        ("--map-for", args.map_for.to_string()),
+        ("--placer", args.placer.name().to_owned()),
+        ("--router", args.router.name().to_owned()),
+    ];
+    let own = own.map(|(name, value)| (name.to_owned(), value));
+    let tools = tool_versions.clone().into_iter();
+    own.into_iter().chain(tools).collect()
 }
 
 /// Fails where the device cannot hold a machine.

@@ -96,6 +96,11 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
         Ok(file)
     }
 
+    /// The results of the jobs that are done, by number.
+    pub fn done(&self) -> &BTreeMap<u64, T> {
+        &self.done
+    }
+
     /// The jobs of the shards of the file that are not done.
     pub fn to_do(&self) -> Vec<u64> {
         let all = self.header.shards.shards();

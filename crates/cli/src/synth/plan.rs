@@ -10,10 +10,9 @@ use anyhow::{Context, Result};
 use fpga_flow::{
     Device, Flow, Placed, Placer, Resource, Router, Target, Tools, Try, area, map, place,
 };
-use indicatif::ProgressBar;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::figures::{AreaRow, Group, PlaceRow, Row};
 use super::writer::{Others, Writer};
@@ -36,7 +35,8 @@ pub struct Plan {
     abc9_target_ps: u32,
     placer: Placer,
     router: Router,
-    jobs: usize,
+    /// How many run at the same time.
+    pub jobs: usize,
 }
 
 impl Plan {
@@ -60,6 +60,28 @@ impl Plan {
             placer: args.placer,
             router: args.router,
             jobs: args.jobs.map_or_else(cores, usize::from),
+        }
+    }
+
+    /// All measurements, in the order in which they are made: the areas, then the placements.
+    pub fn measurements(&self) -> Vec<Job<'_>> {
+        let areas = self.subjects.iter().flat_map(|subject| {
+            let flows = self.flows.iter();
+            flows.map(move |&flow| Job::Area(subject, flow))
+        });
+        let tries = self.tries();
+        let places = self.subjects.iter().flat_map(|subject| {
+            let tries = tries.iter();
+            tries.map(move |what| Job::Place(subject, *what))
+        });
+        areas.chain(places).collect()
+    }
+
+    /// The expected time of a measurement on a free core, in ms.
+    pub fn ms(&self, job: &Job<'_>) -> u64 {
+        match job {
+            Job::Area(subject, _) => Size::of(subject).map_ms(),
+            Job::Place(subject, _) => Size::of(subject).place_ms(self.device),
         }
     }
 
@@ -88,23 +110,31 @@ impl Plan {
             .collect()
     }
 
-    /// Announces the expected duration, from the areas that were measured before.
-    pub fn announce(&self) {
-        let (runs, tries) = (self.flows.len() as u64, self.tries().len() as u64);
-        let of = |subject: &Subject| {
-            let size = Size::of(subject);
-            let mapping = u64::from(self.places) * size.map_ms();
-            runs * size.map_ms() + mapping + tries * size.place_ms(self.device)
-        };
-        let ms: u64 = self.subjects.iter().map(of).sum();
-        let machines = self.subjects.len() as u64;
+    /// Announces the expected duration of these measurements, from the areas that were measured before.
+    pub fn announce(&self, jobs: &[Job<'_>]) {
+        let mapped = self.mapped(jobs);
+        let mapping = mapped.iter().map(|subject| Size::of(subject).map_ms());
+        let ms = mapping.sum::<u64>() + jobs.iter().map(|job| self.ms(job)).sum::<u64>();
+        let areas = jobs.iter().filter(|job| matches!(job, Job::Area(..)));
+        let areas = areas.count();
         eprintln!(
             "{} syntheses and {} placements, {} at a time: about {} min on free cores",
-            machines * (runs + u64::from(self.places)),
-            machines * tries,
+            areas + mapped.len(),
+            jobs.len() - areas,
             self.jobs,
             ms.div_ceil(60_000 * self.jobs as u64)
         );
+    }
+
+    /// The subjects of the placements among these measurements, which are mapped first.
+    fn mapped<'a>(&self, jobs: &[Job<'a>]) -> Vec<&'a Subject> {
+        let places = jobs.iter().filter_map(|job| match job {
+            Job::Area(..) => None,
+            Job::Place(subject, _) => Some(*subject),
+        });
+        let mut mapped: Vec<_> = places.collect();
+        mapped.dedup_by(|subject, other| subject.name == other.name);
+        mapped
     }
 
     /// Writes each machine's Verilog to its own folder, where the tools find it.
@@ -117,80 +147,56 @@ impl Plan {
         Ok(())
     }
 
-    /// Measures each machine in each flow.
-    pub fn areas(
-        &self,
-        tools: &Tools,
-        scratch: &Path,
-        writer: Option<&Writer<AreaRow>>,
-    ) -> Result<Vec<AreaRow>> {
-        let flows = |subject| self.flows.iter().map(move |&flow| (subject, flow));
-        let work: Vec<_> = self.subjects.iter().flat_map(flows).collect();
-        let work = work
-            .into_iter()
-            .map(|(subject, flow)| (subject, Size::of(subject).map_ms(), flow));
-        self.in_parallel("areas", work.collect(), |subject, flow| {
-            let machine = subject.name.as_str();
-            let folder = scratch.join(machine);
-            let figures = area(
-                tools.yosys(),
-                &folder,
-                &subject.design,
-                flow,
-                self.abc9_target_ps,
-            );
-            let row = AreaRow {
-                machine: machine.to_owned(),
-                flow,
-                figures: figures.with_context(|| format!("machine {machine} in flow {flow}"))?,
-            };
-            writer.map_or(Ok(()), |writer| writer.take(subject, &row))?;
-            Ok(row)
-        })
+    /// Maps each machine of a placement in its wrapper.
+    pub fn map(&self, tools: &Tools, scratch: &Path, jobs: &[Job<'_>]) -> Result<()> {
+        let mapped = self.mapped(jobs);
+        let bar = progress::bar("mappings", mapped.len() as u64);
+        let pool = ThreadPoolBuilder::new().num_threads(self.jobs).build()?;
+        pool.install(|| {
+            mapped.par_iter().try_for_each(|subject| {
+                let machine = subject.name.as_str();
+                let (folder, target) = (scratch.join(machine), self.target(subject));
+                map(tools.yosys(), &folder, &subject.design, &target)
+                    .with_context(|| format!("machine {machine} in its wrapper"))?;
+                bar.inc(1);
+                anyhow::Ok(())
+            })
+        })?;
+        bar.finish_and_clear();
+        Ok(())
     }
 
-    /// Maps each machine in its wrapper, then places it in each speed grade with each seed. Machines that the
-    /// device cannot hold have no rows.
-    pub fn placements(
+    /// Makes a measurement. For a placement the machine is mapped.
+    pub fn measure(&self, tools: &Tools, scratch: &Path, job: &Job<'_>) -> Result<Measured> {
+        match *job {
+            Job::Area(subject, flow) => {
+                Ok(Measured::Area(self.area(tools, scratch, subject, flow)?))
+            }
+            Job::Place(subject, what) => self.place(tools, scratch, subject, &what),
+        }
+    }
+
+    fn area(
         &self,
         tools: &Tools,
         scratch: &Path,
-        writer: Option<&Writer<PlaceRow>>,
-    ) -> Result<(Vec<PlaceRow>, Vec<DeviceUse>)> {
-        if !self.places {
-            return Ok((Vec::new(), Vec::new()));
-        }
-        let all = self.subjects.iter();
-        let mappings = all.clone().map(|s| (s, Size::of(s).map_ms(), ()));
-        self.in_parallel("mappings", mappings.collect(), |subject, ()| {
-            let machine = subject.name.as_str();
-            let target = self.target(subject);
-            map(
-                tools.yosys(),
-                &scratch.join(machine),
-                &subject.design,
-                &target,
-            )
-            .with_context(|| format!("machine {machine} in its wrapper"))
-            .map(|_| ())
-        })?;
-        let tries = self.tries();
-        let each = |subject| tries.iter().map(move |&what| (subject, what));
-        let work: Vec<_> = all.flat_map(each).collect();
-        let work = work
-            .into_iter()
-            .map(|(subject, what)| (subject, Size::of(subject).place_ms(self.device), what));
-        let placed = self.in_parallel("placements", work.collect(), |subject, what| {
-            let (row, used) = self.place(tools, scratch, subject, &what)?;
-            if let (Some(writer), Some(row)) = (writer, &row) {
-                writer.take(subject, row)?;
-            }
-            Ok((row, used))
-        })?;
-        let (rows, mut uses): (Vec<_>, Vec<_>) = placed.into_iter().unzip();
-        // A machine needs as much in every speed grade and with every seed.
-        uses.dedup_by(|used, other| used.machine == other.machine);
-        Ok((rows.into_iter().flatten().collect(), uses))
+        subject: &Subject,
+        flow: &'static Flow,
+    ) -> Result<AreaRow> {
+        let machine = subject.name.as_str();
+        let folder = scratch.join(machine);
+        let figures = area(
+            tools.yosys(),
+            &folder,
+            &subject.design,
+            flow,
+            self.abc9_target_ps,
+        );
+        Ok(AreaRow {
+            machine: machine.to_owned(),
+            flow,
+            figures: figures.with_context(|| format!("machine {machine} in flow {flow}"))?,
+        })
     }
 
     fn target(&self, subject: &Subject) -> Target {
@@ -208,7 +214,7 @@ impl Plan {
         scratch: &Path,
         subject: &Subject,
         what: &Try,
-    ) -> Result<(Option<PlaceRow>, DeviceUse)> {
+    ) -> Result<Measured> {
         let machine = subject.name.as_str();
         let placed = place(tools, &scratch.join(machine), what).with_context(|| {
             let group = Group::place(machine, what.speed_grade).what;
@@ -220,7 +226,7 @@ impl Plan {
             resources,
         };
         let routed = match placed {
-            Placed::TooLarge(resources) => return Ok((None, used(false, resources))),
+            Placed::TooLarge(resources) => return Ok(Measured::TooLarge(used(false, resources))),
             Placed::Routed(routed) => routed,
         };
         let row = PlaceRow {
@@ -234,28 +240,7 @@ impl Plan {
             netlist_sha256: Some(routed.netlist_sha256),
             path: Some(routed.path),
         };
-        Ok((Some(row), used(true, routed.resources)))
-    }
-
-    /// Does the work in parallel with a progress bar; each item has an estimated time.
-    fn in_parallel<I: Copy + Send + Sync, R: Send>(
-        &self,
-        what: &'static str,
-        work: Vec<(&Subject, u64, I)>,
-        run: impl Fn(&Subject, I) -> Result<R> + Sync,
-    ) -> Result<Vec<R>> {
-        let bar: ProgressBar = progress::bar(what, work.iter().map(|(_, ms, _)| ms).sum());
-        let pool = ThreadPoolBuilder::new().num_threads(self.jobs).build()?;
-        let results = pool.install(|| {
-            let results = work.par_iter().map(|&(subject, ms, item)| {
-                let result = run(subject, item);
-                bar.inc(ms);
-                result
-            });
-            results.collect()
-        });
-        bar.finish_and_clear();
-        results
+        Ok(Measured::Placed(row, used(true, routed.resources)))
     }
 
     /// A writer of rows of these groups; each machine has `rows_each` rows.
@@ -281,8 +266,29 @@ impl Plan {
     }
 }
 
+/// A measurement to make.
+#[derive(Copy, Clone)]
+pub enum Job<'a> {
+    /// The area in a flow.
+    Area(&'a Subject, &'static Flow),
+    /// The clock, placed and routed.
+    Place(&'a Subject, Try),
+}
+
+/// A measurement that was made.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measured {
+    /// The area in a flow.
+    Area(AreaRow),
+    /// The clock, and what the machine takes of the device.
+    Placed(PlaceRow, DeviceUse),
+    /// The device cannot hold the machine.
+    TooLarge(DeviceUse),
+}
+
 /// The resources of the device that a machine needs.
-#[derive(Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct DeviceUse {
     /// The machine's name.
     pub machine: String,

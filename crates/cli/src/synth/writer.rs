@@ -9,7 +9,9 @@ use anyhow::Result;
 use photoncube_spec::find_machine;
 
 use super::Subject;
-use super::figures::{Figured, Group, Row};
+use super::figures::{AreaRow, AreaSetting, Figured, Group, PlaceRow, PlaceSetting, Row};
+use super::plan::{Job, Measured, Plan};
+use crate::args::SynthArgs;
 
 /// The treatment of the rows that are not measured anew.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -18,6 +20,53 @@ pub enum Others {
     Keep,
     /// All rows are dropped in the end, because everything is measured anew.
     Drop,
+}
+
+/// The writers of both files; `None` where a file is not written.
+pub struct Writers {
+    areas: Option<Writer<AreaRow>>,
+    places: Option<Writer<PlaceRow>>,
+}
+
+impl Writers {
+    /// The writers of a plan.
+    pub fn new(
+        args: &SynthArgs,
+        plan: &Plan,
+        tool_versions: &BTreeMap<String, String>,
+    ) -> Result<Self> {
+        let (area_groups, place_groups) = plan.groups();
+        let (has_areas, has_places) = (!plan.flows.is_empty(), plan.places);
+        let areas = || {
+            let setting = AreaSetting::new(tool_versions);
+            plan.writer(args, setting, &area_groups, plan.flows.len())
+        };
+        let places = || {
+            let setting = PlaceSetting::new(plan.device, tool_versions);
+            plan.writer(args, setting, &place_groups, plan.tries().len())
+        };
+        Ok(Self {
+            areas: (args.writes() && has_areas).then(areas).transpose()?,
+            places: (args.writes() && has_places).then(places).transpose()?,
+        })
+    }
+
+    /// Receives a measurement.
+    pub fn take(&self, job: &Job<'_>, measured: &Measured) -> Result<()> {
+        let (Job::Area(subject, _) | Job::Place(subject, _)) = job;
+        match (measured, &self.areas, &self.places) {
+            (Measured::Area(row), Some(writer), _) => writer.take(subject, row),
+            (Measured::Placed(row, _), _, Some(writer)) => writer.take(subject, row),
+            _ => Ok(()),
+        }
+    }
+
+    /// The paths of the files that are written.
+    pub fn paths(&self) -> Vec<String> {
+        let areas = self.areas.as_ref().map(Writer::path);
+        let places = self.places.as_ref().map(Writer::path);
+        areas.into_iter().chain(places).collect()
+    }
 }
 
 /// Receives rows and writes them.
@@ -106,7 +155,6 @@ fn kept<R: Row>(folder: &Path, setting: &R::Setting) -> Result<Figured<R>> {
 mod tests {
     use fpga_flow::{FLOWS, Flow};
 
-    use super::super::figures::{AreaRow, AreaSetting};
     use super::*;
 
     fn subject(machine: &str) -> Subject {
