@@ -8,9 +8,7 @@ use std::str::FromStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Args as ClapArgs, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
-use photoncube_render::{
-    BenchOptions, FitOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, ViewOptions,
-};
+use photoncube_render::{BenchOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, ViewOptions};
 use photoncube_spec::{CustomOrganisation, nearest};
 
 use self::numbers::{positive, with_negative_values};
@@ -18,7 +16,6 @@ use crate::commands::{VerifyArgs, family_names, with_method};
 use crate::machines::MachineArgs;
 use crate::narrow::WideArgs;
 use crate::own_program::ProgramArgs;
-use crate::scenes::SceneName;
 
 mod applies;
 mod board;
@@ -31,6 +28,7 @@ mod pages;
 mod plan;
 mod progressive;
 mod render;
+mod report;
 mod run;
 mod synth;
 
@@ -42,6 +40,7 @@ pub use self::numbers::{count, seed, short};
 pub use self::plan::PlanArgs;
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
+pub use self::report::ReportArgs;
 pub use self::run::RunArgs;
 pub use self::synth::SynthArgs;
 
@@ -308,48 +307,6 @@ pub struct GenerateArgs {
     /// Write nothing; fail if the folder holds anything else than would be written
     #[arg(long)]
     pub check: bool,
-}
-
-/// `report`
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "\
-Examples:
-  photoncube report
-  photoncube report ring --maps 12 --out out --json
-
-The verdict comes first: the bits that the scene needs, the smallest and the fastest machine. The
-error is over the scene's own Monte-Carlo noise, from independent photon maps. Speed on this CPU is
-the golden model's by photon format, one thread, the median of repeats, beside plain loops.")]
-pub struct ReportArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
-    #[arg(default_value = "cornell")]
-    pub scene: SceneName,
-    /// The folder for the page (HTML), the plots (SVG) and the data of the table (JSON)
-    #[arg(long, default_value = "out", value_name = "DIR")]
-    pub out: PathBuf,
-    /// At least this many photons are stored in each map
-    #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
-    pub photons: u64,
-    /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = positive)]
-    pub in_range: f64,
-    /// Independent photon maps; more know noise and bias better
-    #[arg(long, default_value_t = 8, value_name = "N", value_parser = count(3..=u64::MAX))]
-    pub maps: u64,
-    /// The error's bound, as a part of the scene's own Monte-Carlo noise
-    #[arg(long, default_value_t = FitOptions::default().noise_ratio, value_name = "R", value_parser = positive)]
-    pub noise_ratio: f64,
-    /// The view whose pixels are the queries
-    #[arg(long, default_value_t = Size { width: 32, height: 32 }, value_name = "WxH")]
-    pub size: Size,
-    /// The picture of the page, for which the machines' time is forecast
-    #[arg(long, default_value_t = Size { width: 256, height: 256 }, value_name = "WxH")]
-    pub picture_size: Size,
-    /// Seed of all random numbers
-    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
-    pub seed: u64,
-    #[command(flatten)]
-    pub wide: WideArgs,
 }
 
 /// `hard-cases`

@@ -7,12 +7,13 @@ mod page;
 mod pictures;
 mod row;
 mod speed;
+mod sweep;
 mod text;
 mod verdict;
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use photoncube_render::{BenchOptions, Engine, ErrorBench, Scene, ViewOptions, view_queries};
 use photoncube_spec::{MACHINES, PHOTON_FORMATS};
 use serde::Serialize;
@@ -22,6 +23,7 @@ use self::speed::Speeds;
 use self::verdict::Verdict;
 use crate::args::ReportArgs;
 use crate::outputs::{self, Output};
+use crate::scenes::SceneName;
 use crate::{cores, files, output, progress, scenes, sight};
 
 #[derive(Serialize)]
@@ -66,21 +68,29 @@ struct Facts {
 
 /// Measures all formats and machines on a scene.
 pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
-    let scene = scenes::load(&args.scene)?;
-    let paths = Paths::of(args);
+    if args.sweep {
+        return sweep::execute(args, json);
+    }
+    let (name, in_range) = args.single()?;
+    ensure!(
+        args.shard.state.is_none(),
+        "--state: found no --sweep, expected one; the speed of this computer cannot be shared out"
+    );
+    let scene = scenes::load(name)?;
+    let paths = Paths::of(args, name);
     paths.check(&scene)?;
-    let options = options(args);
+    let options = options(args, in_range);
     sight::check(&scene, &options.view)?;
-    let measured = measure(args, &scene, &options);
+    let measured = measure(args, &scene, &options, &paths);
     let report = sight::explained(measured, &scene, &options.view)?;
     paths.write(&report)?;
     output::print_tables(json, args.wide, &report, || text::text(&report))
 }
 
-fn options(args: &ReportArgs) -> BenchOptions {
+fn options(args: &ReportArgs, in_range: f64) -> BenchOptions {
     BenchOptions {
         photons: args.photons,
-        in_range: args.in_range,
+        in_range,
         maps: args.maps,
         seed: args.seed,
         view: ViewOptions {
@@ -102,7 +112,12 @@ fn picture_view(args: &ReportArgs) -> ViewOptions {
     }
 }
 
-fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<Report> {
+fn measure(
+    args: &ReportArgs,
+    scene: &Scene,
+    options: &BenchOptions,
+    paths: &Paths,
+) -> Result<Report> {
     let formats = PHOTON_FORMATS.iter().map(Engine::from);
     let engines: Vec<_> = formats.chain(MACHINES.iter().map(Engine::from)).collect();
     let cores = cores::measured()?;
@@ -126,8 +141,7 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
     bar.finish_and_clear();
     let speeds = speed::measure(&bench, &mut rows)?;
     pictures::mark_fronts(&mut rows);
-    let paths = Paths::of(args);
-    let verdict = Verdict::of(&rows);
+    let verdict = Verdict::of(rows.iter().map(Row::candidate));
     let about = page::About {
         args,
         scene,
@@ -140,17 +154,17 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
     let estimates = reference.estimates_compared + reference.estimates_too_noisy;
     let queries = bench.queries().len() as u64;
     Ok(Report {
-        scene: args.scene.to_string(),
+        scene: args.scenes[0].to_string(),
         seed: args.seed,
         maps: args.maps,
         photons: args.photons,
-        in_range: args.in_range,
+        in_range: options.in_range,
         query_points: picture.len() as u64,
         noise_relative: reference.noise_relative,
         noise_ratio: args.noise_ratio,
         scene_needs: verdict,
         rows,
-        estimators: estimators::measure(&bench, args.in_range),
+        estimators: estimators::measure(&bench, options.in_range),
         speeds,
         dimensions: dimensions::rows()?,
         speed_plot: paths.speed.display().to_string(),
@@ -180,8 +194,8 @@ struct Paths {
 }
 
 impl Paths {
-    fn of(args: &ReportArgs) -> Self {
-        let name = scenes::stem(&args.scene);
+    fn of(args: &ReportArgs, scene: &SceneName) -> Self {
+        let name = scenes::stem(scene);
         let file = |what: &str| args.out.join(format!("report-{name}{what}"));
         Self {
             speed: file("-speed.svg"),

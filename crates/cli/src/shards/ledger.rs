@@ -36,6 +36,8 @@ pub struct Ledger<T> {
     jobs: u64,
     file: Option<(PathBuf, File)>,
     done: BTreeMap<u64, T>,
+    /// The lines of the jobs that are done, where there is a file.
+    lines: BTreeMap<u64, Vec<u8>>,
 }
 
 impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
@@ -50,6 +52,7 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
             jobs,
             file: None,
             done: BTreeMap::new(),
+            lines: BTreeMap::new(),
         };
         if let Some(path) = path {
             let said = || format!("--state {}", path.display());
@@ -90,6 +93,7 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
             })?;
             whole += line.len() as u64;
             self.done.insert(parsed.job, parsed.result);
+            self.lines.insert(parsed.job, line);
         }
         // A worker that was killed while it wrote leaves half a line.
         file.set_len(whole)?;
@@ -150,11 +154,10 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
     /// Keeps the result of a job.
     fn record(&mut self, job: u64, result: T) -> Result<()> {
         if let Some((path, file)) = &mut self.file {
-            let write = |file: &mut File| {
-                file.write_all(&line(job, &result))?;
-                file.sync_data()
-            };
-            write(file).map_err(|error| files::cannot_write(path, &error))?;
+            let line = line(job, &result);
+            let written = file.write_all(&line).and_then(|()| file.sync_data());
+            written.map_err(|error| files::cannot_write(path, &error))?;
+            self.lines.insert(job, line);
         }
         self.done.insert(job, result);
         Ok(())
@@ -163,9 +166,8 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
     /// Writes the lines in the order of their numbers.
     fn finish(self) -> Result<BTreeMap<u64, T>> {
         if let Some((path, _)) = &self.file {
-            let lines = self.done.iter().map(|(job, result)| line(*job, result));
-            let bytes = iter::once(self.header.line()).chain(lines).flatten();
-            files::write(path, &bytes.collect::<Vec<_>>())?;
+            let lines = iter::once(self.header.line()).chain(self.lines.into_values());
+            files::write(path, &lines.flatten().collect::<Vec<_>>())?;
         }
         Ok(self.done)
     }

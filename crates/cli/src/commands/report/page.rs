@@ -379,9 +379,9 @@ impl About<'_> {
         let args = self.args;
         format!(
             "photoncube report {} --photons {} --in-range {} --maps {} --noise-ratio {} --size {} --picture-size {} --seed {}",
-            args.scene,
+            args.scenes[0],
             args.photons,
-            args.in_range,
+            args.in_range[0],
             args.maps,
             args.noise_ratio,
             args.size,

@@ -6,6 +6,7 @@ use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement
 use photoncube_spec::PhotonFormat;
 use serde::Serialize;
 
+use super::verdict::Candidate;
 use crate::cores::MeasuredCore;
 use crate::hardware::PictureTime;
 use crate::measured::{Area, Measured};
@@ -106,6 +107,19 @@ impl Row {
     /// The speed at the machine's measured clock.
     pub fn pictures_per_second(&self) -> Option<f64> {
         self.hardware.time.pictures_per_second
+    }
+
+    /// The row as the verdict takes it.
+    pub fn candidate(&self) -> Candidate<'_> {
+        Candidate {
+            name: &self.name,
+            format: self.format.as_deref(),
+            bits_per_photon: self.bits_per_photon,
+            is_format: self.is_format(),
+            within_bound: self.within_bound,
+            lut4_equivalents: self.lut4_equivalents(),
+            pictures_per_second: self.pictures_per_second(),
+        }
     }
 
     /// Whether the row is a core of several chains.

@@ -3,7 +3,6 @@
 
 use serde::Serialize;
 
-use super::row::Row;
 use crate::hardware::digits;
 use crate::table::grouped;
 
@@ -22,22 +21,43 @@ pub struct Verdict {
     pub pictures_per_second: Option<f64>,
 }
 
+/// A row among which the verdict is found.
+#[derive(Clone, Copy)]
+pub struct Candidate<'a> {
+    /// The name of a format, a machine or a core.
+    pub name: &'a str,
+    /// Its photon format; `None` for plain numbers.
+    pub format: Option<&'a str>,
+    /// Bits of a stored photon.
+    pub bits_per_photon: u32,
+    /// Whether it is a format alone.
+    pub is_format: bool,
+    /// Whether its error is within the bound.
+    pub within_bound: bool,
+    /// Its LUT4 equivalents without DSP blocks.
+    pub lut4_equivalents: Option<u64>,
+    /// The pictures per second at its measured clock.
+    pub pictures_per_second: Option<f64>,
+}
+
 impl Verdict {
     /// Finds the verdict of the rows.
-    pub fn of(rows: &[Row]) -> Self {
-        let within = || rows.iter().filter(|row| row.within_bound);
-        let formats = within().filter_map(|row| Some((row.format.as_ref()?, row.bits_per_photon)));
+    pub fn of<'a>(rows: impl Iterator<Item = Candidate<'a>>) -> Self {
+        let within: Vec<_> = rows.filter(|row| row.within_bound).collect();
+        let formats = within
+            .iter()
+            .filter_map(|row| Some((row.format?, row.bits_per_photon)));
         let format = formats.min_by_key(|(_, bits)| *bits);
-        let machines = || within().filter(|row| !row.is_format());
-        let sized = machines().filter_map(|row| Some((row, row.lut4_equivalents()?)));
+        let machines = || within.iter().filter(|row| !row.is_format);
+        let sized = machines().filter_map(|row| Some((row, row.lut4_equivalents?)));
         let smallest = sized.min_by_key(|(_, area)| *area);
-        let timed = machines().filter_map(|row| Some((row, row.pictures_per_second()?)));
+        let timed = machines().filter_map(|row| Some((row, row.pictures_per_second?)));
         let fastest = timed.max_by(|(_, a), (_, b)| a.total_cmp(b));
         Self {
-            format: format.map(|(format, _)| format.clone()),
+            format: format.map(|(format, _)| format.to_owned()),
             bits_per_photon: format.map(|(_, bits)| bits),
-            smallest_machine: smallest.map(|(row, _)| row.name.clone()),
-            fastest_machine: fastest.map(|(row, _)| row.name.clone()),
+            smallest_machine: smallest.map(|(row, _)| row.name.to_owned()),
+            fastest_machine: fastest.map(|(row, _)| row.name.to_owned()),
             pictures_per_second: fastest.map(|(_, speed)| speed),
         }
     }
