@@ -15,6 +15,7 @@ mod reports;
 mod robustness;
 mod scenes;
 mod setup;
+mod shards;
 mod shared;
 mod usage;
 

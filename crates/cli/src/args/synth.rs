@@ -11,7 +11,7 @@ use fpga_flow::{Device, FLOWS, Flow, Placer, Router};
 
 use crate::narrow::WideArgs;
 use crate::project::ABC9_TARGET_PS;
-use crate::shards::{Shard, ShardArgs};
+use crate::shards::ShardArgs;
 use crate::synth::figures::recorded_flows;
 use crate::synth::{DEFAULT_DEVICE, asic};
 
@@ -26,7 +26,7 @@ Examples:
   photoncube synth --machine paper --device up5k     area and clock in an iCE40, or what it lacks
   photoncube synth --check                           fails where the committed rows are stale
   photoncube synth --asic --machine stream           area, clock and energy in standard cells
-  photoncube synth --seeds 20 --shard 2/7 --state 2.jobs    a part of the work, for `photoncube merge`
+  photoncube synth --seeds 20 --shard 2/7 --state 2.jobs    a part, for `photoncube merge`
 
 Yosys maps each machine in every flow; nextpnr places and routes it on an FPGA, in a serial wrapper
 that gives each port a register, with DSP blocks only where the machine's squarer is a product.
@@ -164,10 +164,9 @@ fn routers() -> impl TypedValueParser<Value = Router> {
 }
 
 impl SynthArgs {
-    /// Whether the measurements are written to the committed figures. Those of one of several shards are not.
+    /// Whether the measurements are written to the committed figures. Those of a shard are not.
     pub fn writes(&self) -> bool {
-        let is_whole = self.shard.shard.is_none_or(|shard| shard == Shard::WHOLE);
-        is_whole && (self.update || self.is_complete())
+        self.shard.shard.is_none() && (self.update || self.is_complete())
     }
 
     /// The flows to count areas in.

@@ -78,6 +78,17 @@ fn every_json_key_is_documented() {
     ] {
         are_explained(args[0], &json(args));
     }
+    let shard = folder.path().join("shard");
+    let shard = ["--shard", "1/1", "--state", shard.to_str().unwrap()];
+    let few = ["--size", "4x4", "--passes", "2", "--photons", "500"];
+    let of_shard = [&["progressive", "ring"], &few[..], &shard].concat();
+    are_explained("progressive", &json(&of_shard));
+    let merged = folder.path().join("merged");
+    let merge = ["merge", shard[3], "-o", merged.to_str().unwrap()];
+    are_explained("merge", &json(&merge));
+    let few = ["--photons", "1000", "--maps", "3", "--size", "4x4"];
+    let sweep = [&["report", "--sweep", "--out", out], &few[..]].concat();
+    are_explained("report", &json(&sweep));
     for (command, report) in [
         ("run", &RUN.report),
         ("report", &REPORT.report),

@@ -273,7 +273,7 @@ fn an_interrupted_picture_is_the_mean_of_its_passes() {
     assert!(said.contains(&expected), "{said}");
     assert!(folder.path().join("p.exr").is_file());
     let kept = fs::read(folder.path().join("p.state")).unwrap();
-    assert!(kept.starts_with(b"photoncube progressive state 3\n"));
+    assert!(kept.starts_with(b"{\"photoncube\":\"progressive\","));
 }
 
 /// Runs that end after some passes and go on, with an engine of floats and one of integers, against one run.
@@ -349,7 +349,7 @@ fn a_state_that_cannot_be_continued_is_refused_and_stays() {
         ),
         (
             resume(&start, &foreign),
-            "begins with \"# a listing\", expected \"photoncube progressive state 3\"",
+            "begins with \"# a listing\", expected a state file of photoncube",
         ),
         (
             resume(&start, &at("none")),

@@ -57,10 +57,10 @@ struct Report {
     shard: String,
     /// The jobs of all shards.
     jobs: u64,
-    /// Empty where the points of other shards are not there.
+    /// Empty with --shard.
     needs: Vec<Need>,
     points: Vec<Point>,
-    /// The file with this data; `None` of one of several shards.
+    /// The file with this data; `None` with --shard.
     data: Option<String>,
 }
 
@@ -122,7 +122,7 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     // A measurement takes all cores, so there is one at a time.
     let points = ledger.work(1, &bar, |job| sweep.measure(job as usize))?;
     let points: Vec<_> = points.into_values().collect();
-    let is_whole = points.len() as u64 == jobs;
+    let is_whole = args.shard.shard.is_none();
     let report = Report {
         noise_ratio: args.noise_ratio,
         maps: args.maps,
