@@ -16,8 +16,8 @@ pub use self::compare::{
 pub use self::error_map::{error_map, relative_errors};
 pub use self::files::IMAGE_ENDINGS;
 
-/// The most pixels of a picture that is read or rendered, which bounds memory. A pixel takes 190 bytes at the
-/// peak of [`crate::Progressive`] and 60 elsewhere (measured with 4 million), so this many take 13 GB.
+/// The most pixels of a picture that is read or rendered, which bounds memory. A pixel takes 273 bytes at the
+/// peak of [`crate::Progressive`] and 60 elsewhere (measured with 4 million), so this many take 18 GB.
 pub const MAX_PIXELS: u64 = 1 << 26;
 
 /// The reason why an image could not be made, read or written.

@@ -1,6 +1,8 @@
 //! The state of a progressive picture after some passes, from which more passes can be made at another time, or which is merged with
 //! those of other passes.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -13,18 +15,19 @@ use crate::render::RenderStats;
 /// All that later passes and the error's estimate need of the passes so far. The sums are exact, so a picture that is interrupted and
 /// continued, and one whose passes several computers made, are bit for bit the picture of one run.
 ///
-/// Scene, engine, lighting, view and options are not in it: the caller must give the same ones.
+/// Scene, engine, lighting, view and options are not in it: the caller must give the same ones. That of a [`Progressive`] refers to its
+/// sums; one that is read has sums of its own.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ProgressiveState {
+pub struct ProgressiveState<'a> {
     passes: u64,
     photons: u64,
     radii: Option<Radii>,
     stats: RenderStats,
-    pixels: Vec<Sums>,
-    uniformity: Vec<Uniformity>,
+    pixels: Cow<'a, [Sums]>,
+    uniformity: Cow<'a, [Uniformity]>,
 }
 
-impl ProgressiveState {
+impl<'a> ProgressiveState<'a> {
     /// The number of passes made.
     #[must_use]
     pub fn passes(&self) -> u64 {
@@ -35,9 +38,9 @@ impl ProgressiveState {
     ///
     /// # Errors
     /// The other state has another number of pixels. Nothing is added then.
-    pub fn merge(&mut self, other: &Self) -> Result<(), OtherPicture> {
+    pub fn merge(&mut self, other: Self) -> Result<(), OtherPicture> {
         if self.passes == 0 {
-            self.clone_from(other);
+            *self = other;
         } else if other.passes > 0 {
             let (found, expected) = (other.pixels.len(), self.pixels.len());
             if found != expected {
@@ -51,7 +54,7 @@ impl ProgressiveState {
             if !knows(&self.radii) {
                 self.radii = other.radii;
             }
-            let pixels = self.pixels.iter_mut().zip(&other.pixels);
+            let pixels = self.pixels.to_mut().iter_mut().zip(&*other.pixels);
             pixels.for_each(|(to, from)| *to += *from);
         }
         Ok(())
@@ -71,14 +74,14 @@ pub struct OtherPicture {
 impl Progressive<'_> {
     /// The state after the passes so far.
     #[must_use]
-    pub fn state(&self) -> ProgressiveState {
+    pub fn state(&self) -> ProgressiveState<'_> {
         ProgressiveState {
             passes: self.pixels.passes,
             photons: self.photons,
             radii: self.radii,
             stats: self.stats,
-            pixels: self.pixels.sums.clone(),
-            uniformity: self.uniformity.clone(),
+            pixels: Cow::Borrowed(&self.pixels.sums),
+            uniformity: Cow::Borrowed(&self.uniformity),
         }
     }
 
@@ -86,7 +89,7 @@ impl Progressive<'_> {
     ///
     /// # Errors
     /// The state has another number of pixels.
-    pub fn resume(&mut self, state: &ProgressiveState) -> Result<(), OtherPicture> {
+    pub fn resume(&mut self, state: ProgressiveState<'_>) -> Result<(), OtherPicture> {
         let expected = match state.passes {
             0 => 0,
             _ => self.view.width as usize * self.view.height as usize,
@@ -96,12 +99,12 @@ impl Progressive<'_> {
             return Err(OtherPicture { found, expected });
         }
         self.pixels.passes = state.passes;
-        self.pixels.sums.clone_from(&state.pixels);
+        self.pixels.sums = state.pixels.into_owned();
         (self.photons, self.radii) = (state.photons, state.radii);
         // As many passes from the first on were searched at least, whichever they are.
         self.searched = state.passes;
         self.stats = state.stats;
-        self.uniformity.clone_from(&state.uniformity);
+        self.uniformity = state.uniformity.into_owned();
         Ok(())
     }
 }

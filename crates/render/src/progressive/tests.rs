@@ -193,7 +193,7 @@ fn a_picture_that_is_continued_is_that_of_one_run() {
             let mut first = new();
             (0..before).for_each(|_| first.pass().unwrap());
             let mut second = new();
-            second.resume(&first.state()).unwrap();
+            second.resume(first.state()).unwrap();
             (before..5).for_each(|_| second.pass().unwrap());
             assert_eq!(second.state(), whole.state(), "{before}");
             assert_eq!(second.image(), whole.image());
@@ -202,7 +202,7 @@ fn a_picture_that_is_continued_is_that_of_one_run() {
         let view = ViewOptions { width: 23, ..VIEW };
         let mut other =
             Progressive::new(&scene, engine, lighting, view, options(2_000, 0.6)).unwrap();
-        let said = other.resume(&whole.state()).unwrap_err().to_string();
+        let said = other.resume(whole.state()).unwrap_err().to_string();
         assert_eq!(said, "found the state of 576 pixels, expected 552");
     }
 }
@@ -250,15 +250,16 @@ fn parts_of_the_passes_merge_to_the_picture_of_one_run() {
         let mut whole = new();
         (0..PASSES).for_each(|_| whole.pass().unwrap());
         for parts in [2, 7, 12] {
-            let of = |first: u64| {
+            let of = |first: usize| {
                 let mut picture = new();
-                let mut passes = (first..PASSES).step_by(parts);
+                let mut passes = (first as u64..PASSES).step_by(parts);
                 passes.try_for_each(|pass| picture.make(pass)).unwrap();
-                picture.state()
+                picture
             };
-            let mut merged = of(parts as u64 - 1);
-            for first in (0..parts as u64 - 1).rev() {
-                merged.merge(&of(first)).unwrap();
+            let pictures: Vec<_> = (0..parts).rev().map(of).collect();
+            let mut merged = pictures[0].state();
+            for picture in &pictures[1..] {
+                merged.merge(picture.state()).unwrap();
             }
             assert_eq!(merged, whole.state(), "{parts}");
         }

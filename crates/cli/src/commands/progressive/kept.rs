@@ -5,6 +5,7 @@
 //! the exact sums, so nothing is rounded.
 
 use std::fs;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
@@ -62,9 +63,9 @@ pub fn sha256_of_image(image: &Image) -> Vec<u8> {
 
 /// What is kept.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
-pub struct Kept {
+pub struct Kept<'a> {
     /// The state of the picture.
-    pub state: ProgressiveState,
+    pub state: ProgressiveState<'a>,
     /// The rows of the table.
     pub rows: Vec<Row>,
     /// The digest of the reference that the rows compare with; `None` without a reference.
@@ -73,7 +74,7 @@ pub struct Kept {
     pub seconds: f64,
 }
 
-impl Kept {
+impl Kept<'_> {
     /// The rows after 1, 2, 4, 8, ... passes but that of the state itself, which is made anew. Distances from another
     /// reference are left out.
     pub fn rows_for(&self, reference: Option<&Image>) -> Vec<Row> {
@@ -121,15 +122,15 @@ impl Keeper {
     }
 
     /// Writes the file.
-    pub fn write(&self, kept: &Kept) -> Result<()> {
-        files::write(&self.path, &bytes(&self.header, kept)?)
+    pub fn write(&self, kept: &Kept<'_>) -> Result<()> {
+        write(&self.path, &self.header, kept)
     }
 
     /// Reads the file.
     ///
     /// # Errors
     /// It cannot be read, is no whole state, or is that of another picture.
-    pub fn read(&self) -> Result<Kept> {
+    pub fn read(&self) -> Result<Kept<'static>> {
         let said = || format!("--state {}", self.path.display());
         let bytes = fs::read(&self.path).with_context(|| {
             format!(
@@ -154,20 +155,47 @@ impl Keeper {
     }
 }
 
-/// The bytes of a file.
-pub fn bytes(header: &Header, kept: &Kept) -> Result<Vec<u8>> {
-    let mut bytes = header.line();
-    bytes.extend(postcard::to_allocvec(kept)?);
-    let digest = Sha256::digest(&bytes);
-    bytes.extend(digest);
-    Ok(bytes)
+/// Writes a file, part by part: the state of a large picture is in memory once.
+fn write(path: &Path, header: &Header, kept: &Kept<'_>) -> Result<()> {
+    files::write_with(path, |file| put(file, header, kept).map(drop))
+}
+
+/// Puts header, state and digest into `to`.
+fn put<W: Write>(to: W, header: &Header, kept: &Kept<'_>) -> Result<W> {
+    let mut hashed = Hashed {
+        to: BufWriter::new(to),
+        hasher: Sha256::new(),
+    };
+    hashed.write_all(&header.line())?;
+    postcard::to_io(kept, &mut hashed)?;
+    let Hashed { mut to, hasher } = hashed;
+    to.write_all(&hasher.finalize())?;
+    Ok(to.into_inner().map_err(io::IntoInnerError::into_error)?)
+}
+
+/// A writer that digests what it writes.
+struct Hashed<W: Write> {
+    to: BufWriter<W>,
+    hasher: Sha256,
+}
+
+impl<W: Write> Write for Hashed<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.to.write(bytes)?;
+        self.hasher.update(&bytes[..written]);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.to.flush()
+    }
 }
 
 /// What is kept in a file: `bytes`, all of it, of which `body` comes behind the header.
 ///
 /// # Errors
 /// The file is damaged, or not whole.
-pub fn kept_in(bytes: &[u8], body: &[u8]) -> Result<Kept> {
+fn kept_in(bytes: &[u8], body: &[u8]) -> Result<Kept<'static>> {
     let damaged =
         "found a file that is damaged or not whole, expected one as `progressive --state` wrote it";
     let body_bytes = body.len().checked_sub(DIGEST_BYTES).context(damaged)?;
@@ -187,7 +215,7 @@ pub fn passes(input: &Input) -> Result<u64> {
     Ok(kept_of(input)?.state.passes())
 }
 
-fn kept_of(input: &Input) -> Result<Kept> {
+fn kept_of(input: &Input) -> Result<Kept<'static>> {
     let said = || input.path.display().to_string();
     let bytes = fs::read(&input.path).with_context(said)?;
     let mut rest = bytes.as_slice();
@@ -204,9 +232,9 @@ pub fn merge(selection: &Selection, header: &Header, to: &Path) -> Result<()> {
     let mut sum = kept_of(inputs.next().context("there is a file")?)?;
     for input in inputs {
         let said = || input.path.display().to_string();
-        sum.state.merge(&kept_of(input)?.state).with_context(said)?;
+        sum.state.merge(kept_of(input)?.state).with_context(said)?;
     }
-    files::write(to, &bytes(header, &sum)?)
+    write(to, header, &sum)
 }
 
 #[cfg(test)]
@@ -216,7 +244,7 @@ mod tests {
     use super::*;
     use crate::shards::Shard;
 
-    fn kept() -> Kept {
+    fn kept() -> Kept<'static> {
         let scene = Scene::built_in("cornell").unwrap();
         let view = ViewOptions {
             width: 4,
@@ -230,12 +258,13 @@ mod tests {
         let lighting = Lighting::default();
         let mut picture = Progressive::new(&scene, Engine::F64, lighting, view, options).unwrap();
         picture.pass().unwrap();
-        Kept {
+        let kept = Kept {
             state: picture.state(),
             rows: Vec::new(),
             reference: None,
             seconds: 0.1,
-        }
+        };
+        postcard::from_bytes(&postcard::to_allocvec(&kept).unwrap()).unwrap()
     }
 
     fn header() -> Header {
@@ -244,7 +273,11 @@ mod tests {
         Header::new("progressive", settings.into(), None, Shard::WHOLE)
     }
 
-    fn read(bytes: &[u8]) -> Result<Kept> {
+    fn bytes(kept: &Kept<'_>) -> Vec<u8> {
+        put(Vec::new(), &header(), kept).unwrap()
+    }
+
+    fn read(bytes: &[u8]) -> Result<Kept<'static>> {
         let mut rest = bytes;
         let found = Header::read(&mut rest)?;
         header().check_same(&found, "give its options")?;
@@ -254,7 +287,7 @@ mod tests {
     #[test]
     fn what_is_written_is_read_and_a_pixel_takes_at_most_eleven_numbers() {
         let kept = kept();
-        let bytes = bytes(&header(), &kept).unwrap();
+        let bytes = bytes(&kept);
         assert_eq!(read(&bytes).unwrap(), kept);
         // Numbers of 128 bits take at most 19 bytes.
         let pixels = 16 * 11 * 19;
@@ -263,7 +296,7 @@ mod tests {
 
     #[test]
     fn a_file_that_is_damaged_anywhere_is_refused() {
-        let whole = bytes(&header(), &kept()).unwrap();
+        let whole = bytes(&kept());
         for at in 0..whole.len() {
             let mut bytes = whole.clone();
             bytes[at] ^= 1;

@@ -39,7 +39,7 @@ pub fn execute(args: &ProgressiveArgs, setup: &Setup<'_>, shard: Shard, json: bo
     let keeper = Keeper::new(path.to_owned(), header);
     let mut picture = setup.picture()?;
     if path.exists() {
-        picture.resume(&keeper.read()?.state)?;
+        picture.resume(keeper.read()?.state)?;
     }
     let resumed_passes = picture.passes();
     let interrupted = make(&mut picture, &keeper, shard, args.passes)?;

@@ -50,9 +50,9 @@ impl Work<'_> {
             "{}: found {passes} passes, expected at most --passes {all}",
             keeper.path().display()
         );
-        self.progressive.resume(&kept.state)?;
         self.seconds_before = kept.seconds;
         self.rows = kept.rows_for(self.reference.as_ref());
+        self.progressive.resume(kept.state)?;
         Ok(())
     }
 
