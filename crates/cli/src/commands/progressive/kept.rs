@@ -5,7 +5,7 @@
 //! the exact sums, so nothing is rounded.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
@@ -17,6 +17,9 @@ use super::Row;
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
 use crate::files;
 use crate::shards::{Header, Input, Selection, Settings};
+
+const DAMAGED: &str =
+    "found a file that is damaged or not whole, expected one as `progressive --state` wrote it";
 
 /// The bytes of SHA-256.
 const DIGEST_BYTES: usize = 32;
@@ -196,23 +199,27 @@ impl<W: Write> Write for Hashed<W> {
 /// # Errors
 /// The file is damaged, or not whole.
 fn kept_in(bytes: &[u8], body: &[u8]) -> Result<Kept<'static>> {
-    let damaged =
-        "found a file that is damaged or not whole, expected one as `progressive --state` wrote it";
-    let body_bytes = body.len().checked_sub(DIGEST_BYTES).context(damaged)?;
+    let body_bytes = body.len().checked_sub(DIGEST_BYTES).context(DAMAGED)?;
     let digest_at = bytes.len() - DIGEST_BYTES;
     ensure!(
         Sha256::digest(&bytes[..digest_at])[..] == bytes[digest_at..],
-        damaged
+        DAMAGED
     );
-    postcard::from_bytes(&body[..body_bytes]).context(damaged)
+    postcard::from_bytes(&body[..body_bytes]).context(DAMAGED)
 }
 
-/// The number of passes in a file.
+/// The number of passes in a file, with which what is kept begins. Only [`merge`] finds whether the rest is damaged.
 ///
 /// # Errors
-/// It is damaged, or not whole.
+/// It has no number there.
 pub fn passes(input: &Input) -> Result<u64> {
-    Ok(kept_of(input)?.state.passes())
+    /// The bytes of the longest number.
+    const LONGEST: u64 = 10;
+    let said = || format!("{}: {DAMAGED}", input.path.display());
+    let mut start = Vec::new();
+    input.body()?.take(LONGEST).read_to_end(&mut start)?;
+    let (passes, _) = postcard::take_from_bytes(&start).with_context(said)?;
+    Ok(passes)
 }
 
 fn kept_of(input: &Input) -> Result<Kept<'static>> {
