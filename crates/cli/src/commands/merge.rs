@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::progressive;
 use crate::args::MergeArgs;
 use crate::outputs::{self, Output};
-use crate::shards::{Input, Selection, lines, merge_lines};
+use crate::shards::{Input, Selection, jobs_in, merge_lines};
 use crate::{files, output};
 
 #[derive(Serialize)]
@@ -53,7 +53,7 @@ pub fn execute(args: &MergeArgs, json: bool) -> Result<()> {
 fn done(input: &Input) -> Result<u64> {
     match is_picture(input) {
         true => progressive::passes(input),
-        false => lines(input.body()?).try_fold(0, |count, line| Ok(line.map(|_| count + 1)?)),
+        false => jobs_in(input),
     }
 }
 

@@ -179,8 +179,17 @@ fn line<T: Serialize>(job: u64, result: &T) -> Vec<u8> {
     line
 }
 
+/// The number of jobs in a file.
+///
+/// # Errors
+/// It cannot be read.
+pub fn jobs_in(input: &Input) -> Result<u64> {
+    let mut lines = lines(input.body()?);
+    lines.try_fold(0, |count, line| Ok(line.map(|_| count + 1)?))
+}
+
 /// The lines of a file, each with its end. Half a line at the end is left out.
-pub fn lines(mut file: impl BufRead) -> impl Iterator<Item = std::io::Result<Vec<u8>>> {
+fn lines(mut file: impl BufRead) -> impl Iterator<Item = std::io::Result<Vec<u8>>> {
     iter::from_fn(move || {
         let mut line = Vec::new();
         match file.read_until(b'\n', &mut line) {

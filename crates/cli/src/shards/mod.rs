@@ -15,7 +15,7 @@ mod select;
 mod shard;
 
 pub use self::header::{Header, Settings};
-pub use self::ledger::{Ledger, lines, merge_lines};
+pub use self::ledger::{Ledger, jobs_in, merge_lines};
 pub use self::parts::Parts;
 pub use self::select::{Input, Selection};
 pub use self::shard::{Shard, ShardArgs};

@@ -34,9 +34,7 @@ impl Parts {
 
     /// The number of those of `jobs` jobs that the shards have.
     pub fn jobs(&self, jobs: u64) -> u64 {
-        self.shards()
-            .map(|shard| shard.jobs(jobs).count() as u64)
-            .sum()
+        self.shards().map(|shard| shard.number_of_jobs(jobs)).sum()
     }
 
     /// The shards that are not there.

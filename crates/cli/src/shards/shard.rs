@@ -26,6 +26,11 @@ impl Shard {
     pub fn jobs(self, jobs: u64) -> impl Iterator<Item = u64> {
         (self.index - 1..jobs).step_by(self.of as usize)
     }
+
+    /// The number of these jobs.
+    pub fn number_of_jobs(self, jobs: u64) -> u64 {
+        jobs.saturating_sub(self.index - 1).div_ceil(self.of)
+    }
 }
 
 impl fmt::Display for Shard {
@@ -89,8 +94,10 @@ mod tests {
     #[test]
     fn the_shards_have_each_job_once() {
         for of in [1, 2, 7] {
-            let jobs = (1..=of).flat_map(|index| Shard { index, of }.jobs(23));
-            let mut jobs: Vec<_> = jobs.collect();
+            let shards = (1..=of).map(|index| Shard { index, of });
+            let counted: u64 = shards.clone().map(|shard| shard.number_of_jobs(23)).sum();
+            assert_eq!(counted, 23);
+            let mut jobs: Vec<_> = shards.flat_map(|shard| shard.jobs(23)).collect();
             jobs.sort_unstable();
             assert_eq!(jobs, Vec::from_iter(0..23));
         }

@@ -9,7 +9,7 @@ fn readers_read_or_refuse_wrong_inputs() {
     assert_eq!(report["controls"][0]["control_found"], true);
     assert_eq!(report["findings"], serde_json::json!([]));
     let readers = report["readers"].as_array().unwrap();
-    assert_eq!(readers.len(), 7);
+    assert_eq!(readers.len(), 8);
     for reader in readers {
         let count = |key: &str| reader[key].as_u64().unwrap();
         assert_eq!(count("inputs"), INPUTS, "{reader}");

@@ -68,7 +68,7 @@ pub fn execute(args: &ProgressiveArgs, setup: &Setup<'_>, shard: Shard, json: bo
 fn make(picture: &mut Progressive<'_>, keeper: &Keeper, shard: Shard, passes: u64) -> Result<bool> {
     let interrupt = Interrupt::watch()?;
     let mine = shard.jobs(passes);
-    let bar = progress::bar("passes", mine.size_hint().0 as u64);
+    let bar = progress::bar("passes", shard.number_of_jobs(passes));
     bar.set_position(picture.passes());
     let mut kept = Instant::now();
     let mut is_asked = false;

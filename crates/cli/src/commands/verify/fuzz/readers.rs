@@ -11,6 +11,7 @@ use rand::Rng;
 
 use super::mutate;
 use crate::args::Args;
+use crate::shards::{Selection, jobs_in, merge_lines};
 use crate::verified;
 
 /// An input of a reader.
@@ -33,7 +34,7 @@ pub struct Reader {
 }
 
 /// All readers of user input.
-pub const READERS: [Reader; 7] = [
+pub const READERS: [Reader; 8] = [
     Reader {
         name: "scene-toml",
         reads: "scenes in TOML",
@@ -72,6 +73,12 @@ pub const READERS: [Reader; 7] = [
         reads: "tables of results in JSON",
         good: |_| Ok(texts(&RESULTS)),
         read: |_, input| verified::parse(text(input)).map(drop),
+    },
+    Reader {
+        name: "state",
+        reads: "state files of shards",
+        good: |_| Ok(texts(&STATES)),
+        read: merge_state,
     },
     Reader {
         name: "arguments",
@@ -123,8 +130,13 @@ const RESULTS: [&str; 1] = [
 "volume": 12, "unit": "vectors", "outcome": "0 mismatches", "command": "photoncube verify"}]"#,
 ];
 
+const STATES: [&str; 1] = [concat!(
+    r#"{"photoncube":"synth","format":4,"settings":{"--seed":"1"},"jobs":5,"shards":{"of":2,"has":[1]}}"#,
+    "\n{\"job\":0,\"result\":1}\n{\"job\":2,\"result\":[1.5]}\n{\"job\":4,\"result\":null}\n"
+)];
+
 /// Command lines with every kind of value.
-const COMMANDS: [&str; 9] = [
+const COMMANDS: [&str; 10] = [
     "photoncube run cornell --machine paper-12 --out out --photons 2000000 --size 64x48 --json",
     "photoncube render cornell -o box.png --engine f64 --photons 100 --samples 3 --in-range 0.5",
     "photoncube render ring -o x.exr --estimator ladder:8:cone --direct rays:4 --caustics own:50 --area covered",
@@ -134,6 +146,7 @@ const COMMANDS: [&str; 9] = [
     "photoncube verify formal --machine stream --property units:: --json",
     "photoncube generate --machine paper --coordinate-bits 12 --dimension 5 --check",
     "photoncube synth --machine tile-4 --flow place --grade 8 --seed 2",
+    "photoncube report --sweep cornell ring --in-range 50,200 --shard 2/7 --state 2.jobs",
 ];
 
 fn texts(texts: &[&str]) -> Vec<Input> {
@@ -164,6 +177,14 @@ fn read_picture(folder: &Path, input: &Input) -> Result<()> {
     let path = folder.join("fuzz.exr");
     std::fs::write(&path, bytes).context("the fuzzer's own folder")?;
     Ok(Image::read_exr(&path).map(drop)?)
+}
+
+/// Merges a state file as `merge --partial` does.
+fn merge_state(folder: &Path, input: &Input) -> Result<()> {
+    let path = folder.join("fuzz.state");
+    std::fs::write(&path, text(input)).context("the fuzzer's own folder")?;
+    let selection = Selection::of(&[path], jobs_in)?;
+    merge_lines(&selection.inputs, selection.jobs, &mut std::io::sink())
 }
 
 fn read_mesh(folder: &Path, input: &Input) -> Result<()> {
