@@ -1,16 +1,22 @@
 //! Runs Verilog in Icarus, a slow 4-state simulator, in which a value that was never set is X.
 
 use std::fmt::Write as _;
+use std::fs::File;
 use std::io::{BufRead, BufReader, Error, ErrorKind, Write};
 use std::process::{ChildStdin, ChildStdout, Command};
 
+use fpga_flow::asic::Activities;
 use photoncube_hdl::Emitted;
 use tempfile::TempDir;
 
+use super::activity::activities;
 use super::process::Process;
 use super::{Device, DeviceError, Observed, Unknown, netlist, scratch_folder, write_file};
 use crate::tools::{Tool, run};
-use crate::trace::{TRACE, declare, names, trace_module};
+use crate::trace::{DUT, TRACE, declare, names, trace_module};
+
+/// The file of the changes of nets.
+const DUMP: &str = "nets.vcd";
 
 /// A design in a running Icarus simulation.
 pub struct Icarus {
@@ -22,8 +28,8 @@ pub struct Icarus {
     governing: Vec<Vec<usize>>,
     visible: usize,
     process: Process,
-    /// The folder of the compiled simulation, which must exist while it runs.
-    _folder: TempDir,
+    /// The folder of the compiled simulation, which must exist while it runs, and of its dump.
+    folder: TempDir,
 }
 
 impl Icarus {
@@ -32,7 +38,32 @@ impl Icarus {
     /// # Errors
     /// Icarus is missing or refuses the text.
     pub fn new(design: &Emitted) -> Result<Self, DeviceError> {
-        Self::start("icarus", design, Tool::Iverilog.version()?)
+        Self::start("icarus", design, Tool::Iverilog.version()?, "")
+    }
+
+    /// Compiles the design and starts it. Every change of a net of its top module is written to a file, of some 5 bytes a change, in
+    /// the folder for temporary files.
+    ///
+    /// # Errors
+    /// Icarus is missing or refuses the text.
+    pub fn with_dump(design: &Emitted) -> Result<Self, DeviceError> {
+        let dump = format!("    $dumpfile(\"{DUMP}\");\n    $dumpvars(1, trace.{DUT});\n");
+        Self::start("icarus", design, Tool::Iverilog.version()?, &dump)
+    }
+
+    /// Ends a simulation [with a dump](Self::with_dump), and counts what the nets of the design's top module did in it.
+    ///
+    /// # Errors
+    /// The simulation failed, or a net was neither 0 nor 1 in a clock.
+    pub fn activities(mut self) -> Result<Activities, DeviceError> {
+        self.process.finish()?;
+        let path = self.folder.path().join(DUMP);
+        let counted = File::open(&path).and_then(|dump| activities(BufReader::new(dump), DUT));
+        counted.map_err(|source| DeviceError::File {
+            action: "read",
+            path: path.display().to_string(),
+            source,
+        })
     }
 
     /// Compiles the design and starts it. The word of an input is all x, except in clocks in which all inputs
@@ -53,12 +84,22 @@ impl Icarus {
     /// Yosys or Icarus is missing or refuses the text.
     pub fn of_netlist(design: &Emitted) -> Result<Self, DeviceError> {
         let version = format!("{}, {}", Tool::Yosys.version()?, Tool::Iverilog.version()?);
-        Self::start("netlist", &netlist(design)?, version)
+        Self::start("netlist", &netlist(design)?, version, "")
     }
 
-    fn start(name: &'static str, design: &Emitted, version: String) -> Result<Self, DeviceError> {
+    /// `first` is Verilog that the simulation does before all else.
+    fn start(
+        name: &'static str,
+        design: &Emitted,
+        version: String,
+        first: &str,
+    ) -> Result<Self, DeviceError> {
         let folder = scratch_folder()?;
-        let text = [design.text.as_str(), &trace_module(design), &bench(design)];
+        let text = [
+            design.text.as_str(),
+            &trace_module(design),
+            &bench(design, first),
+        ];
         let source = folder.path().join("bench.v");
         write_file(&source, &text.join("\n"))?;
         let compiled = folder.path().join("bench.vvp");
@@ -67,6 +108,7 @@ impl Icarus {
             .args([&compiled, &source]))?;
         let mut simulate = Command::new(Tool::Vvp.find()?);
         // -n: where the simulation stops, it ends and does not prompt.
+        simulate.current_dir(folder.path());
         let process = Process::start(name, simulate.arg("-n").arg(&compiled), folder.path())?;
         Ok(Self {
             name,
@@ -75,7 +117,7 @@ impl Icarus {
             governing: vec![Vec::new(); design.pins.inputs.len()],
             visible: design.pins.observed.len(),
             process,
-            _folder: folder,
+            folder,
         })
     }
 }
@@ -176,7 +218,7 @@ fn nonsense(line: &str) -> Error {
 
 /// The Verilog testbench. It reads the number of clocks, then a line of hexadecimal inputs for each clock,
 /// and writes a line of observed values for each.
-fn bench(design: &Emitted) -> String {
+fn bench(design: &Emitted, first: &str) -> String {
     const STDIN: &str = "32'h8000_0000";
     const STDOUT: &str = "32'h8000_0001";
     let pins = &design.pins;
@@ -203,7 +245,7 @@ fn bench(design: &Emitted) -> String {
         text,
         r#"  {TRACE} trace({ports});
   initial begin
-    read = $fscanf({STDIN}, "%d", clocks);
+{first}    read = $fscanf({STDIN}, "%d", clocks);
     while (read == 1) begin
       while (clocks > 0) begin
         read = $fscanf({STDIN}, "{read}", {inputs});

@@ -4,6 +4,7 @@
 //! computes delays and powers. There are no wires and there is no clock tree: a cell drives the pins of its readers alone. A
 //! chip is larger, slower and takes more power than these figures say.
 
+mod activity;
 mod fanout;
 mod library;
 mod timing;
@@ -18,6 +19,7 @@ use crate::error::{Result, read, unexpected, write};
 use crate::netlist::Netlist;
 use crate::yosys::Yosys;
 
+pub use activity::{Activities, Toggles};
 pub use library::Library;
 pub use timing::Sta;
 
@@ -27,8 +29,13 @@ const CLOCK: &str = "clock";
 const LIBERTY: &str = "library.lib";
 /// The mapped netlist there. Its ports are single bits, since OpenSTA reads no concatenations.
 const NETLIST: &str = "mapped.v";
+/// The mapped netlist with the ports of the design, as JSON. Cells and nets have the names that they have in the others.
+const MAPPED: &str = "mapped.json";
 /// The mapped netlist with the ports of the design.
 const WITH_PORTS: &str = "mapped_with_ports.v";
+/// The netlist with a register behind each input, and what OpenSTA is told of its pins.
+const POWERED: &str = "powered.v";
+const ACTIVITIES: &str = "activities.tcl";
 /// The options with which Yosys writes cells alone.
 const PLAIN: &str = "-noattr -noexpr -nohex -nodec";
 /// What ABC takes from the library for the ends of a design.
@@ -100,7 +107,7 @@ pub fn measure(
     library: &Library,
     activity: f64,
 ) -> Result<CellFigures> {
-    write(&folder.join(LIBERTY), library.text())?;
+    write(&folder.join(LIBERTY), &library.text())?;
     let fanout_buffers = map(yosys, folder, design, library)?;
     let stat = Stat::parse(&read(&folder.join("stat.json"))?)?;
     let [area, register_area] = stat.areas()?;
@@ -116,6 +123,39 @@ pub fn measure(
         logic_energy_pj: times.logic.cycle_energy_pj(),
         leakage_w: times.registers.leakage_w + times.logic.leakage_w,
     })
+}
+
+/// The figures of a design that [`measure`] has measured in the folder, but with the energies at the activities of a simulation of
+/// [`netlist_with_models`]; and the mean transitions of a net, without the clock, in a clock cycle.
+///
+/// # Errors
+/// Nothing was measured in the folder, the simulation lacks a net, or Yosys or OpenSTA fails.
+pub fn measure_simulated(
+    yosys: &Yosys,
+    sta: &Sta,
+    folder: &Path,
+    measured: (&Design, &CellFigures),
+    library: &Library,
+    activities: &Activities,
+) -> Result<(CellFigures, f64)> {
+    let (design, figures) = measured;
+    let mapped = Netlist::parse(&read(&folder.join(MAPPED))?)?;
+    let told = activity::told(mapped, &design.top, library, activities)?;
+    write(&folder.join("powered.json"), &told.netlist.to_string())?;
+    write(&folder.join(ACTIVITIES), &told.script)?;
+    let script = format!(
+        "read_json powered.json; hierarchy -top {}; splitnets -ports; \
+         opt_clean -purge; write_verilog {PLAIN} {POWERED}",
+        design.top
+    );
+    yosys.run(folder, &script)?;
+    let [registers, logic] = sta.powers(folder, &design.top)?;
+    let figures = CellFigures {
+        register_energy_pj: registers.cycle_energy_pj(),
+        logic_energy_pj: logic.cycle_energy_pj(),
+        ..figures.clone()
+    };
+    Ok((figures, told.mean))
 }
 
 /// The netlist that [`measure`] left in the folder, with models of the library's cells by Yosys. Registers are 0 at power-up, as the
@@ -137,7 +177,7 @@ pub fn netlist_with_models(yosys: &Yosys, folder: &Path) -> Result<String> {
 fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Result<u64> {
     let top = &design.top;
     write(&folder.join(SCRIPT), &format!("{MAPPING}\n"))?;
-    let ends = format!("set_driving_cell {}\n", library.register().cell);
+    let ends = format!("set_driving_cell {}\n", library.register().cell.cell);
     write(&folder.join(CONSTRAINTS), &ends)?;
     let registers = format!(
         "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; \
@@ -152,8 +192,9 @@ fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Resu
     let logic = format!(
         "read_json divided.json; hierarchy -top {top}; \
          abc -liberty {LIBERTY} -constr {CONSTRAINTS} -D {TARGET_PS} -script {SCRIPT}; setundef -zero; splitnets; \
-         opt_clean -purge; rename -hide w:*; write_verilog {PLAIN} {WITH_PORTS}; splitnets -ports; opt_clean -purge; tee -q -o stat.json stat -liberty {LIBERTY} -json; \
-         write_verilog {PLAIN} {NETLIST}"
+         opt_clean -purge; rename -hide w:*; rename -enumerate; write_json {MAPPED}; \
+         write_verilog {PLAIN} {WITH_PORTS}; splitnets -ports; opt_clean -purge; \
+         tee -q -o stat.json stat -liberty {LIBERTY} -json; write_verilog {PLAIN} {NETLIST}"
     );
     yosys.run(folder, &logic)?;
     Ok(buffers)
