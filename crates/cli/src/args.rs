@@ -241,6 +241,16 @@ pub struct PictureArgs {
     pub seed: u64,
 }
 
+impl Default for PictureArgs {
+    /// The options where none is given.
+    fn default() -> Self {
+        let command = Self::augment_args(clap::Command::new("picture"));
+        let matches = command.try_get_matches_from(["picture"]);
+        let read = matches.and_then(|matches| Self::from_arg_matches(&matches));
+        read.expect("each option has a default")
+    }
+}
+
 /// `list`
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "\

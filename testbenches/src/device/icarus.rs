@@ -18,6 +18,9 @@ use crate::trace::{DUT, TRACE, declare, names, trace_module};
 /// The file of the changes of nets.
 const DUMP: &str = "nets.vcd";
 
+/// What Icarus says before its first answer where it writes that file.
+const DUMP_OPENED: &str = "VCD info: ";
+
 /// A design in a running Icarus simulation.
 pub struct Icarus {
     name: &'static str,
@@ -182,6 +185,10 @@ fn read_frame(
     for _ in 0..clocks {
         line.clear();
         stdout.read_line(&mut line)?;
+        if line.starts_with(DUMP_OPENED) {
+            line.clear();
+            stdout.read_line(&mut line)?;
+        }
         let before = observed.values.len();
         for word in line.split_whitespace() {
             let index = observed.values.len();

@@ -8,6 +8,7 @@ mod activity;
 mod fanout;
 mod library;
 mod timing;
+mod wrong_cell;
 
 use std::path::Path;
 
@@ -22,6 +23,7 @@ use crate::yosys::Yosys;
 pub use activity::{Activities, Toggles};
 pub use library::Library;
 pub use timing::Sta;
+pub use wrong_cell::WrongCell;
 
 /// The name of the clock of a design.
 const CLOCK: &str = "clock";
@@ -126,7 +128,7 @@ pub fn measure(
 }
 
 /// The figures of a design that [`measure`] has measured in the folder, but with the energies at the activities of a simulation of
-/// [`netlist_with_models`]; and the mean transitions of a net, without the clock, in a clock cycle.
+/// [`simulatable`]; and the mean transitions of a net, without the clock, in a clock cycle.
 ///
 /// # Errors
 /// Nothing was measured in the folder, the simulation lacks a net, or Yosys or OpenSTA fails.
@@ -158,19 +160,41 @@ pub fn measure_simulated(
     Ok((figures, told.mean))
 }
 
-/// The netlist that [`measure`] left in the folder, with models of the library's cells by Yosys. Registers are 0 at power-up, as the
-/// registers of the design are at their initial values; real cells are so only after a reset.
+/// A mapped netlist, to be simulated.
+#[derive(Clone, Debug)]
+pub struct Simulatable {
+    /// The Verilog of the netlist, with models of the library's cells by Yosys. Registers are 0 at power-up, as the registers of the
+    /// design are at their initial values; real cells are so only after a reset.
+    pub text: String,
+    /// The same with a planted fault, which a comparison must find.
+    pub control: WrongCell,
+    /// [`Netlist::sha256`] of the netlist.
+    pub netlist_sha256: String,
+}
+
+/// The netlist that [`measure`] left in the folder.
 ///
 /// # Errors
-/// Nothing was measured in the folder, or Yosys fails.
-pub fn netlist_with_models(yosys: &Yosys, folder: &Path) -> Result<String> {
+/// Nothing was measured in the folder, Yosys fails, or the netlist has no place for a fault.
+pub fn simulatable(
+    yosys: &Yosys,
+    folder: &Path,
+    design: &Design,
+    library: &Library,
+) -> Result<Simulatable> {
     let script = format!(
         "read_liberty -ignore_miss_func {LIBERTY}; select */t:$_DFF_* %co:+[Q] */w:* %i; setattr -set init 1'0 %; \
          select -clear; write_verilog -noattr models.v"
     );
     yosys.run(folder, &script)?;
     let [netlist, models] = [WITH_PORTS, "models.v"].map(|file| read(&folder.join(file)));
-    Ok(netlist? + &models?)
+    let text = netlist? + &models?;
+    let mapped = Netlist::parse(&read(&folder.join(MAPPED))?)?;
+    Ok(Simulatable {
+        control: wrong_cell::plant(&mapped, &design.top, library, &text)?,
+        netlist_sha256: mapped.sha256()?,
+        text,
+    })
 }
 
 /// Maps the design and writes its netlist. Returns the number of buffers behind registers and ports.
