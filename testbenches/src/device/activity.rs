@@ -49,12 +49,12 @@ struct Nets {
     changed: Vec<usize>,
 }
 
-/// Counts what the nets of the scope named `scope` did in a dump. The end of a clock cycle is the time before a rising edge of the net
+/// Counts what the nets of the scope named `scope` did in the first `clocks` clock cycles of a dump. The end of a clock cycle is the time before a rising edge of the net
 /// `clock`: all logic has settled then. A change that is undone before is not counted.
 ///
 /// # Errors
-/// The dump is no dump, lacks the scope or the clock, or a net is neither 0 nor 1 at the end of a cycle.
-pub(crate) fn activities(dump: impl BufRead, scope: &str) -> Result<Activities> {
+/// The dump is no dump, lacks the scope or the clock, or has fewer cycles; or a net is neither 0 nor 1 at the end of a cycle.
+pub(crate) fn activities(dump: impl BufRead, scope: &str, clocks: u64) -> Result<Activities> {
     let mut parser = Parser::new(dump);
     let header = parser.parse_header()?;
     let mut nets = Nets::of(&header, scope)?;
@@ -68,9 +68,14 @@ pub(crate) fn activities(dump: impl BufRead, scope: &str) -> Result<Activities> 
             }
             _ => {}
         }
+        if nets.clocks == clocks {
+            return Ok(nets.end());
+        }
     }
-    nets.pass(&mut at_this_time)?;
-    Ok(nets.end())
+    Err(wrong(format!(
+        "found {} clock cycles in the dump of nets, expected {clocks}",
+        nets.clocks
+    )))
 }
 
 fn wrong(message: String) -> Error {
@@ -229,7 +234,9 @@ b10 #
 
     #[test]
     fn what_lasts_to_the_end_of_a_cycle_is_counted() {
-        let counted = activities(DUMP.as_bytes(), "dut").unwrap();
+        let half = activities(DUMP.as_bytes(), "dut", 2).unwrap();
+        assert_eq!(half.nets["b"][0].ones, 2);
+        let counted = activities(DUMP.as_bytes(), "dut", 4).unwrap();
         assert_eq!(counted.clocks, 4);
         let toggles = |transitions, ones| Toggles { transitions, ones };
         let expected = [
@@ -246,7 +253,11 @@ b10 #
 
     #[test]
     fn an_unknown_value_and_a_missing_scope_or_clock_are_told() {
-        let error = |dump: &str| activities(dump.as_bytes(), "dut").unwrap_err().to_string();
+        let error = |dump: &str| {
+            activities(dump.as_bytes(), "dut", 4)
+                .unwrap_err()
+                .to_string()
+        };
         let unknown = error(&DUMP.replace("0!\n1\"\n#3", "0!\nx\"\n#3"));
         assert!(
             unknown.contains("net a") && unknown.contains("in clock 1"),
@@ -254,6 +265,7 @@ b10 #
         );
         assert!(error(&DUMP.replace("dut", "top")).contains("no scope `dut`"));
         assert!(error(&DUMP.replace("clock", "clk")).contains("no net `clock`"));
-        assert!(activities("#x".as_bytes(), "dut").is_err());
+        assert!(error(&DUMP[..DUMP.len() - 12]).contains("3 clock cycles"));
+        assert!(activities("#x".as_bytes(), "dut", 4).is_err());
     }
 }

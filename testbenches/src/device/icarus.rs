@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Error, ErrorKind, Write};
+use std::path::Path;
 use std::process::{ChildStdin, ChildStdout, Command};
 
 use fpga_flow::asic::Activities;
@@ -15,8 +16,12 @@ use super::{Device, DeviceError, Observed, Unknown, netlist, scratch_folder, wri
 use crate::tools::{Tool, run};
 use crate::trace::{DUT, TRACE, declare, names, trace_module};
 
+/// The compiled simulation.
+const COMPILED: &str = "bench.vvp";
 /// The file of the changes of nets.
 const DUMP: &str = "nets.vcd";
+/// The argument with which a simulation writes it.
+const DUMP_ARGUMENT: &str = "dump";
 
 /// What Icarus says before its first answer where it writes that file.
 const DUMP_OPENED: &str = "VCD info: ";
@@ -41,27 +46,29 @@ impl Icarus {
     /// # Errors
     /// Icarus is missing or refuses the text.
     pub fn new(design: &Emitted) -> Result<Self, DeviceError> {
-        Self::start("icarus", design, Tool::Iverilog.version()?, "")
+        Self::start("icarus", design, Tool::Iverilog.version()?)
     }
 
-    /// Compiles the design and starts it. Every change of a net of its top module is written to a file, of some 5 bytes a change, in
-    /// the folder for temporary files.
+    /// Starts the compiled design anew, from power-up. Every change of a net of its top module is written to a file, of some 5 bytes a
+    /// change, in the folder for temporary files.
     ///
     /// # Errors
-    /// Icarus is missing or refuses the text.
-    pub fn with_dump(design: &Emitted) -> Result<Self, DeviceError> {
-        let dump = format!("    $dumpfile(\"{DUMP}\");\n    $dumpvars(1, trace.{DUT});\n");
-        Self::start("icarus", design, Tool::Iverilog.version()?, &dump)
+    /// The simulation does not start.
+    pub fn dumping(self) -> Result<Self, DeviceError> {
+        let process = simulation(self.name, self.folder.path(), &[DUMP_ARGUMENT])?;
+        Ok(Self { process, ..self })
     }
 
-    /// Ends a simulation [with a dump](Self::with_dump), and counts what the nets of the design's top module did in it.
+    /// Ends a simulation that is [`dumping`](Self::dumping), and counts what the nets of the design's top module did in
+    /// its first `clocks` clocks.
     ///
     /// # Errors
-    /// The simulation failed, or a net was neither 0 nor 1 in a clock.
-    pub fn activities(mut self) -> Result<Activities, DeviceError> {
+    /// The simulation failed or had fewer clocks, or a net was neither 0 nor 1 in one.
+    pub fn activities(mut self, clocks: u64) -> Result<Activities, DeviceError> {
         self.process.finish()?;
         let path = self.folder.path().join(DUMP);
-        let counted = File::open(&path).and_then(|dump| activities(BufReader::new(dump), DUT));
+        let counted =
+            File::open(&path).and_then(|dump| activities(BufReader::new(dump), DUT, clocks));
         counted.map_err(|source| DeviceError::File {
             action: "read",
             path: path.display().to_string(),
@@ -87,32 +94,19 @@ impl Icarus {
     /// Yosys or Icarus is missing or refuses the text.
     pub fn of_netlist(design: &Emitted) -> Result<Self, DeviceError> {
         let version = format!("{}, {}", Tool::Yosys.version()?, Tool::Iverilog.version()?);
-        Self::start("netlist", &netlist(design)?, version, "")
+        Self::start("netlist", &netlist(design)?, version)
     }
 
-    /// `first` is Verilog that the simulation does before all else.
-    fn start(
-        name: &'static str,
-        design: &Emitted,
-        version: String,
-        first: &str,
-    ) -> Result<Self, DeviceError> {
+    fn start(name: &'static str, design: &Emitted, version: String) -> Result<Self, DeviceError> {
         let folder = scratch_folder()?;
-        let text = [
-            design.text.as_str(),
-            &trace_module(design),
-            &bench(design, first),
-        ];
+        let text = [design.text.as_str(), &trace_module(design), &bench(design)];
         let source = folder.path().join("bench.v");
         write_file(&source, &text.join("\n"))?;
-        let compiled = folder.path().join("bench.vvp");
         run(Command::new(Tool::Iverilog.find()?)
-            .args(["-g2005", "-s", "bench", "-o"])
-            .args([&compiled, &source]))?;
-        let mut simulate = Command::new(Tool::Vvp.find()?);
-        // -n: where the simulation stops, it ends and does not prompt.
-        simulate.current_dir(folder.path());
-        let process = Process::start(name, simulate.arg("-n").arg(&compiled), folder.path())?;
+            .current_dir(folder.path())
+            .args(["-g2005", "-s", "bench", "-o", COMPILED])
+            .arg(&source))?;
+        let process = simulation(name, folder.path(), &[])?;
         Ok(Self {
             name,
             version,
@@ -123,6 +117,19 @@ impl Icarus {
             folder,
         })
     }
+}
+
+/// Starts the compiled simulation in its folder.
+fn simulation(
+    name: &'static str,
+    folder: &Path,
+    arguments: &[&str],
+) -> Result<Process, DeviceError> {
+    let mut simulate = Command::new(Tool::Vvp.find()?);
+    let arguments = arguments.iter().map(|argument| format!("+{argument}"));
+    // -n: where the simulation stops, it ends and does not prompt.
+    simulate.args(["-n", COMPILED]).args(arguments);
+    Process::start(name, simulate.current_dir(folder), folder)
 }
 
 impl Device for Icarus {
@@ -225,7 +232,7 @@ fn nonsense(line: &str) -> Error {
 
 /// The Verilog testbench. It reads the number of clocks, then a line of hexadecimal inputs for each clock,
 /// and writes a line of observed values for each.
-fn bench(design: &Emitted, first: &str) -> String {
+fn bench(design: &Emitted) -> String {
     const STDIN: &str = "32'h8000_0000";
     const STDOUT: &str = "32'h8000_0001";
     let pins = &design.pins;
@@ -252,7 +259,11 @@ fn bench(design: &Emitted, first: &str) -> String {
         text,
         r#"  {TRACE} trace({ports});
   initial begin
-{first}    read = $fscanf({STDIN}, "%d", clocks);
+    if ($test$plusargs("{DUMP_ARGUMENT}")) begin
+      $dumpfile("{DUMP}");
+      $dumpvars(1, trace.{DUT});
+    end
+    read = $fscanf({STDIN}, "%d", clocks);
     while (read == 1) begin
       while (clocks > 0) begin
         read = $fscanf({STDIN}, "{read}", {inputs});
