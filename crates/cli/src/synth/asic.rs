@@ -112,11 +112,12 @@ pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> R
                 let figures = measure(yosys, &sta, &folder, design, &library, args.activity)?;
                 let simulate = |workload: &Workload| {
                     let netlist = simulatable(yosys, &folder, design, &library)?;
-                    let (simulated, activities) = workload.simulate(subject, &netlist)?;
-                    let measured = (design, &figures);
+                    let simulation = workload.simulate(subject, &netlist)?;
+                    let (measured, activities) = ((design, &figures), &simulation.activities);
                     let (figures, activity) =
-                        measure_simulated(yosys, &sta, &folder, measured, &library, &activities)?;
-                    Ok(simulated.with_energy(&figures, activity))
+                        measure_simulated(yosys, &sta, &folder, measured, &library, activities)?;
+                    let energy = (&figures, activity);
+                    Ok(Simulated::of(workload, &netlist, &simulation, energy))
                 };
                 let simulated: Result<_> = workload.as_ref().map(simulate).transpose();
                 Ok(AsicRow {

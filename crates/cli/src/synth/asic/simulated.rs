@@ -18,20 +18,30 @@ use crate::stages::{Traced, trace_scene, view};
 use crate::synth::Subject;
 use crate::table;
 
-/// The clocks in which a machine has photons at least, if it never waits.
-const CLOCKS: f64 = 4096.0;
-/// The iterations of random stimulus before the scene: with waits, resets and garbage, and not counted.
-const RANDOM_ITERATIONS: u64 = 200;
+/// The iterations in which the planted fault must be found.
+const CONTROL_ITERATIONS: u64 = 20;
 
 /// The photons and the view of a scene.
 pub(super) struct Workload {
-    scene: String,
+    scene: SceneName,
     traced: Traced,
     view: ViewOptions,
     seed: u64,
+    /// The clocks in which a machine has photons at least, if it never waits.
+    pub clocks: f64,
+    /// The iterations of random stimulus before the scene: with waits, resets and garbage, and not counted.
+    pub random_iterations: u64,
 }
 
-/// A simulation, and the energy at its activities.
+/// What a simulation compared and counted.
+pub(super) struct Simulation {
+    pub activities: Activities,
+    scene: Verdict,
+    random: Verdict,
+    photon_tests: u64,
+}
+
+/// A simulation of a netlist, and the energy at its activities.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Simulated {
     scene: String,
@@ -48,7 +58,7 @@ pub(super) struct Simulated {
     /// The mean transitions of a net in a clock cycle, without the clock.
     activity: f64,
     /// The energy of all clocks over the photon tests, in picojoules.
-    energy_pj_per_test: f64,
+    pub(super) energy_pj_per_test: f64,
     /// The share of the registers in the energy.
     register_energy_share: f64,
     /// The planted fault that the comparison has found.
@@ -61,64 +71,63 @@ impl Workload {
         let picture = PictureArgs::default();
         let traced = trace_scene(scenes::load(name)?, &picture, &Lighting::default())?;
         Ok(Self {
-            scene: scenes::stem(name),
+            scene: name.clone(),
             traced,
             view: view(&picture),
             seed: picture.seed,
+            clocks: 4096.0,
+            random_iterations: 200,
         })
     }
 
     /// Simulates the netlist of a machine. Its outputs equal the golden model's in every clock, and those of the netlist with a planted
     /// fault do not.
-    pub(super) fn simulate(
-        &self,
-        subject: &Subject,
-        netlist: &Simulatable,
-    ) -> Result<(Simulated, Activities)> {
+    pub(super) fn simulate(&self, subject: &Subject, netlist: &Simulatable) -> Result<Simulation> {
         let machine = subject.machine;
         let queries = self.queries(machine)?;
         let planted = &netlist.control.what;
         let mut wrong = Icarus::new(&design(machine, &netlist.control.text)?)?;
-        let control = self.compare(machine, &mut wrong, &queries);
+        let control = self.compare_random(machine, &mut wrong, CONTROL_ITERATIONS);
         if !Control::of(planted, control)?.found {
             return Err(CheckFailed(format!("a planted fault was not found: {planted}")).into());
         }
         let mut device = Icarus::new(&design(machine, &netlist.text)?)?;
-        let random = VerifyOptions {
-            iterations: RANDOM_ITERATIONS,
-            seed: self.seed,
-            source: Source::Random,
-        };
-        let random = verify_device(machine, &mut device, &random, &|_| ()).map_err(failed)?;
+        let random = self.compare_random(machine, &mut device, self.random_iterations);
+        let random = random.map_err(failed)?;
         let mut device = device.dumping()?;
-        let verdict = self
-            .compare(machine, &mut device, &queries)
-            .map_err(failed)?;
+        let scene = self.compare(machine, &mut device, &queries);
+        let scene = scene.map_err(failed)?;
         let tests = queries.iter().map(|(_, photons)| photons.len() as u64);
-        let simulated = Simulated {
-            scene: self.scene.clone(),
-            seed: self.seed,
-            netlist_sha256: netlist.netlist_sha256.clone(),
-            clocks_simulated: verdict.vectors_compared,
-            vectors_compared: verdict.vectors_compared + random.vectors_compared,
-            results_compared: verdict.results_compared + random.results_compared,
+        Ok(Simulation {
+            activities: device.activities(scene.vectors_compared)?,
+            scene,
+            random,
             photon_tests: tests.sum(),
-            activity: 0.0,
-            energy_pj_per_test: 0.0,
-            register_energy_share: 0.0,
-            planted: planted.clone(),
-        };
-        Ok((simulated, device.activities(verdict.vectors_compared)?))
+        })
     }
 
-    /// Queries of the scene with their photons, enough for [`CLOCKS`].
+    /// Queries of the scene with their photons, enough for [`Self::clocks`].
     fn queries(&self, machine: &Machine) -> Result<Vec<(Query, Vec<Photon>)>> {
         let tests = machine.photons_per_iteration() * machine.queries_at_once();
-        let groups = (CLOCKS * machine.photon_tests_per_clock() / tests as f64).ceil() as u64;
+        let groups = (self.clocks * machine.photon_tests_per_clock() / tests as f64).ceil() as u64;
         let (scene, map) = (&self.traced.scene, self.traced.map());
         Ok(workload(
             scene, map, machine, &self.view, groups, self.seed,
         )?)
+    }
+
+    fn compare_random(
+        &self,
+        machine: &Machine,
+        device: &mut Icarus,
+        iterations: u64,
+    ) -> Result<Verdict, VerifyError> {
+        let options = VerifyOptions {
+            iterations,
+            seed: self.seed,
+            source: Source::Random,
+        };
+        verify_device(machine, device, &options, &|_| ())
     }
 
     fn compare(
@@ -158,15 +167,33 @@ fn design(machine: &Machine, text: &str) -> Result<Emitted> {
 }
 
 impl Simulated {
-    /// Adds the energy at the activities that were counted, whose mean is `activity`.
-    pub(super) fn with_energy(self, figures: &CellFigures, activity: f64) -> Self {
-        let clocks_per_test = self.clocks_simulated as f64 / self.photon_tests as f64;
+    /// The row of a simulation. `figures` are at the activities that it counted, whose mean is `activity`.
+    pub(super) fn of(
+        workload: &Workload,
+        netlist: &Simulatable,
+        simulation: &Simulation,
+        (figures, activity): (&CellFigures, f64),
+    ) -> Self {
+        let Simulation { scene, random, .. } = simulation;
+        let energy = figures.cycle_energy_pj() * scene.vectors_compared as f64;
         Self {
+            scene: workload.scene.to_string(),
+            seed: workload.seed,
+            netlist_sha256: netlist.netlist_sha256.clone(),
+            clocks_simulated: scene.vectors_compared,
+            vectors_compared: scene.vectors_compared + random.vectors_compared,
+            results_compared: scene.results_compared + random.results_compared,
+            photon_tests: simulation.photon_tests,
             activity,
-            energy_pj_per_test: figures.cycle_energy_pj() * clocks_per_test,
+            energy_pj_per_test: energy / simulation.photon_tests as f64,
             register_energy_share: figures.register_energy_pj / figures.cycle_energy_pj(),
-            ..self
+            planted: netlist.control.what.clone(),
         }
+    }
+
+    /// Photon tests in a clock.
+    pub(super) fn tests_per_clock(&self) -> f64 {
+        self.photon_tests as f64 / self.clocks_simulated as f64
     }
 }
 
@@ -186,14 +213,17 @@ pub(super) fn table(rows: &[AsicRow]) -> String {
     ];
     let cells = |row: &AsicRow| {
         let of = row.simulated.as_ref()?;
-        let tests_per_clock = of.photon_tests as f64 / of.clocks_simulated as f64;
         Some(vec![
             row.machine.clone(),
             of.scene.clone(),
             table::grouped(of.clocks_simulated),
             table::grouped(of.vectors_compared),
             table::grouped(of.photon_tests),
-            format!("{tests_per_clock:.2} of {:.2}", row.photon_tests_per_clock),
+            format!(
+                "{:.2} of {:.2}",
+                of.tests_per_clock(),
+                row.photon_tests_per_clock
+            ),
             format!("{:.3}", of.activity),
             format!("{:.1}", row.energy_pj_per_test),
             format!("{:.1}", of.energy_pj_per_test),
