@@ -63,9 +63,7 @@ pub(crate) fn activities(dump: impl BufRead, scope: &str, clocks: u64) -> Result
         match command? {
             Command::Timestamp(_) => nets.pass(&mut at_this_time)?,
             Command::ChangeScalar(code, value) => at_this_time.push((code, vec![value])),
-            Command::ChangeVector(code, values) => {
-                at_this_time.push((code, values.iter().copied().collect()))
-            }
+            Command::ChangeVector(code, values) => at_this_time.push((code, values.to_vec())),
             _ => {}
         }
         if nets.clocks == clocks {

@@ -9,7 +9,7 @@ use std::thread::available_parallelism;
 
 use anyhow::{Context, Result, anyhow};
 use fpga_flow::asic::{CellFigures, Library, Sta, measure, measure_simulated, simulatable};
-use fpga_flow::{FlowError, ToolError, Tools};
+use fpga_flow::{FlowError, ToolError, Tools, Yosys};
 use photoncube_spec::Machine;
 use photoncube_testbench::Tool;
 use rayon::ThreadPoolBuilder;
@@ -93,45 +93,69 @@ pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> R
     let library = library(&tools, scratch.path(), &args.liberty)?;
     let mut tool_versions = tools.versions(scratch.path())?;
     tool_versions.insert("opensta".to_owned(), Sta::VERSION.to_owned());
-    let workload = args.activity_of.as_ref().map(Workload::of).transpose()?;
-    if workload.is_some() {
+    let flow = CellFlow {
+        yosys: tools.yosys(),
+        sta,
+        library,
+        activity: args.activity,
+        workload: args.activity_of.as_ref().map(Workload::of).transpose()?,
+    };
+    if flow.workload.is_some() {
         tool_versions.insert("icarus".to_owned(), Tool::Iverilog.version()?);
     }
     let report = Report {
-        library: library.name().to_owned(),
-        library_sha256: library.sha256(),
+        library: flow.library.name().to_owned(),
+        library_sha256: flow.library.sha256(),
         activity: args.activity,
         tool_versions,
         machines: rows(args, machines, |subject| {
             let folder = scratch.path().join(&subject.name);
             fs::create_dir(&folder)?;
-            subject.design.write(&folder)?;
-            let design = &subject.design;
-            let row = || -> Result<AsicRow> {
-                let yosys = tools.yosys();
-                let figures = measure(yosys, &sta, &folder, design, &library, args.activity)?;
-                let simulate = |workload: &Workload| {
-                    let netlist = simulatable(yosys, &folder, design, &library)?;
-                    let simulation = workload.simulate(subject, &netlist)?;
-                    let (measured, activities) = ((design, &figures), &simulation.activities);
-                    let (figures, activity) =
-                        measure_simulated(yosys, &sta, &folder, measured, &library, activities)?;
-                    let energy = (&figures, activity);
-                    Ok(Simulated::of(workload, &netlist, &simulation, energy))
-                };
-                let simulated: Result<_> = workload.as_ref().map(simulate).transpose();
-                Ok(AsicRow {
-                    simulated: simulated?,
-                    ..AsicRow::of(subject, &figures)
-                })
-            };
-            let row = row().with_context(|| format!("machine {}", subject.name))?;
+            let row = flow.row(subject, &folder);
+            let row = row.with_context(|| format!("machine {}", subject.name))?;
             // A netlist of hundreds of engines takes hundreds of MB.
             fs::remove_dir_all(&folder)?;
             Ok(row)
         })?,
     };
     output::print_tables(json, args.wide, &report, || text(&report))
+}
+
+/// How machines are measured.
+struct CellFlow<'a> {
+    yosys: &'a Yosys,
+    sta: Sta,
+    library: Library,
+    /// The assumed activity.
+    activity: f64,
+    /// Where the netlists are simulated, on what.
+    workload: Option<Workload>,
+}
+
+impl CellFlow<'_> {
+    fn row(&self, subject: &Subject, folder: &Path) -> Result<AsicRow> {
+        let Self {
+            yosys,
+            sta,
+            library,
+            ..
+        } = self;
+        let design = &subject.design;
+        design.write(folder)?;
+        let figures = measure(yosys, sta, folder, design, library, self.activity)?;
+        let simulated = self.workload.as_ref().map(|workload| {
+            let netlist = simulatable(yosys, folder, design, library)?;
+            let simulation = workload.simulate(subject, &netlist)?;
+            let (measured, activities) = ((design, &figures), &simulation.activities);
+            let energy = measure_simulated(yosys, sta, folder, measured, library, activities)?;
+            Ok(Simulated::of(workload, &netlist, &simulation, &energy))
+        });
+        let simulated: Result<_> = simulated.transpose();
+        Ok(AsicRow {
+            simulated: simulated?,
+            ..AsicRow::of(subject, &figures)
+        })
+    }
 }
 
 fn library(tools: &Tools, scratch: &Path, liberty: &Path) -> Result<Library> {

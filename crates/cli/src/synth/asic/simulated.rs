@@ -28,14 +28,14 @@ pub(super) struct Workload {
     view: ViewOptions,
     seed: u64,
     /// The clocks in which a machine has photons at least, if it never waits.
-    pub clocks: f64,
+    pub(super) clocks: f64,
     /// The iterations of random stimulus before the scene: with waits, resets and garbage, and not counted.
-    pub random_iterations: u64,
+    pub(super) random_iterations: u64,
 }
 
 /// What a simulation compared and counted.
 pub(super) struct Simulation {
-    pub activities: Activities,
+    pub(super) activities: Activities,
     scene: Verdict,
     random: Verdict,
     photon_tests: u64,
@@ -75,8 +75,8 @@ impl Workload {
             traced,
             view: view(&picture),
             seed: picture.seed,
-            clocks: 4096.0,
-            random_iterations: 200,
+            clocks: 2048.0,
+            random_iterations: 100,
         })
     }
 
@@ -172,7 +172,7 @@ impl Simulated {
         workload: &Workload,
         netlist: &Simulatable,
         simulation: &Simulation,
-        (figures, activity): (&CellFigures, f64),
+        (figures, activity): &(CellFigures, f64),
     ) -> Self {
         let Simulation { scene, random, .. } = simulation;
         let energy = figures.cycle_energy_pj() * scene.vectors_compared as f64;
@@ -184,7 +184,7 @@ impl Simulated {
             vectors_compared: scene.vectors_compared + random.vectors_compared,
             results_compared: scene.results_compared + random.results_compared,
             photon_tests: simulation.photon_tests,
-            activity,
+            activity: *activity,
             energy_pj_per_test: energy / simulation.photon_tests as f64,
             register_energy_share: figures.register_energy_pj / figures.cycle_energy_pj(),
             planted: netlist.control.what.clone(),
