@@ -79,14 +79,14 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
-# Area, clock and energy in standard cells. Longer chains consist of engines of these; one of 64 did not end in a quarter of an
+# Area, clock and energy in standard cells, also at the activities of a simulation. Longer chains consist of engines of these; one of 64 did not end in a quarter of an
 # hour.
 in_cells=()
 for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7}; do
     in_cells+=(--machine "$machine")
 done
 measure_in_cells() {
-    target/release/photoncube synth --asic "$@" "${in_cells[@]}" --json >target/measured/asic.json
+    target/release/photoncube synth --asic --activity-of cornell "$@" "${in_cells[@]}" --json >target/measured/asic.json
     local library
     library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic.json)
     cp target/measured/asic.json "docs/measured/asic-$library.json"

@@ -8,7 +8,10 @@ use photoncube_spec::Pin;
 /// The name of the module that [`trace_module`] writes.
 pub(crate) const TRACE: &str = "photoncube_trace";
 
-/// Makes a module that contains the design, as `dut`, and has a port for each of its pins and registers. The
+/// The name of the design in the trace module.
+pub(crate) const DUT: &str = "dut";
+
+/// Makes a module that contains the design, as [`DUT`], and has a port for each of its pins and registers. The
 /// module reads registers by hierarchical reference, and fills block RAMs with zeros as the golden model
 /// does. The design's own text is unchanged.
 pub(crate) fn trace_module(design: &Emitted) -> String {
@@ -32,9 +35,9 @@ pub(crate) fn trace_module_with(design: &Emitted, inside: &str) -> String {
     }
     declare(&mut text, "input", &design.pins.inputs);
     declare(&mut text, "output", &design.pins.observed);
-    let _ = writeln!(text, "  {} dut({});", design.top, connections.join(", "));
+    let _ = writeln!(text, "  {} {DUT}({});", design.top, connections.join(", "));
     for (name, path) in names(registers).zip(&design.register_paths) {
-        let _ = writeln!(text, "  assign {name} = dut.{path};");
+        let _ = writeln!(text, "  assign {name} = {DUT}.{path};");
     }
     if !design.block_rams.is_empty() {
         text += "  integer block_ram_word;\n";
@@ -43,7 +46,7 @@ pub(crate) fn trace_module_with(design: &Emitted, inside: &str) -> String {
         let _ = writeln!(
             text,
             "  initial for (block_ram_word = 0; block_ram_word < {words}; block_ram_word = block_ram_word + 1)\n    \
-             dut.{path}[block_ram_word] = 0;"
+             {DUT}.{path}[block_ram_word] = 0;"
         );
     }
     text + inside + "endmodule\n"

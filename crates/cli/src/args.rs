@@ -8,10 +8,10 @@ use std::str::FromStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Args as ClapArgs, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
-use photoncube_render::{BenchOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, ViewOptions};
+use photoncube_render::{MAX_PIXELS, ViewOptions};
 use photoncube_spec::{CustomOrganisation, nearest};
 
-use self::numbers::{positive, with_negative_values};
+use self::numbers::with_negative_values;
 use crate::commands::{VerifyArgs, family_names, with_method};
 use crate::machines::MachineArgs;
 use crate::narrow::WideArgs;
@@ -25,6 +25,7 @@ mod merge;
 mod numbers;
 #[cfg(test)]
 mod pages;
+mod picture;
 mod plan;
 mod progressive;
 mod render;
@@ -37,6 +38,7 @@ pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
 pub use self::merge::MergeArgs;
 pub use self::numbers::{count, seed, short};
+pub use self::picture::PictureArgs;
 pub use self::plan::PlanArgs;
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
@@ -187,26 +189,6 @@ pub enum Command {
         #[arg(long, default_value = "man", value_name = "DIR")]
         out: PathBuf,
     },
-}
-
-/// The picture's size and quality.
-#[derive(ClapArgs, Clone, Debug)]
-pub struct PictureArgs {
-    /// At least this many photons are traced; with `--direct rays` the map keeps only those of indirect light
-    #[arg(long, default_value_t = TraceOptions::default().photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
-    pub photons: u64,
-    /// Picture size in pixels
-    #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
-    pub size: Size,
-    /// Query points for each pixel: N x N
-    #[arg(long, default_value_t = ViewOptions::default().samples_per_axis, value_name = "N", value_parser = count(1..=64_u32))]
-    pub samples: u32,
-    /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = positive)]
-    pub in_range: f64,
-    /// Seed of all random numbers; the same seed gives the same picture
-    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
-    pub seed: u64,
 }
 
 /// `list`

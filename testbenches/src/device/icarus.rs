@@ -1,16 +1,30 @@
 //! Runs Verilog in Icarus, a slow 4-state simulator, in which a value that was never set is X.
 
 use std::fmt::Write as _;
+use std::fs::File;
 use std::io::{BufRead, BufReader, Error, ErrorKind, Write};
+use std::path::Path;
 use std::process::{ChildStdin, ChildStdout, Command};
 
+use fpga_flow::asic::Activities;
 use photoncube_hdl::Emitted;
 use tempfile::TempDir;
 
+use super::activity::activities;
 use super::process::Process;
 use super::{Device, DeviceError, Observed, Unknown, netlist, scratch_folder, write_file};
 use crate::tools::{Tool, run};
-use crate::trace::{TRACE, declare, names, trace_module};
+use crate::trace::{DUT, TRACE, declare, names, trace_module};
+
+/// The compiled simulation.
+const COMPILED: &str = "bench.vvp";
+/// The file of the changes of nets.
+const DUMP: &str = "nets.vcd";
+/// The argument with which a simulation writes it.
+const DUMP_ARGUMENT: &str = "dump";
+
+/// What Icarus says before its first answer where it writes that file.
+const DUMP_OPENED: &str = "VCD info: ";
 
 /// A design in a running Icarus simulation.
 pub struct Icarus {
@@ -22,8 +36,8 @@ pub struct Icarus {
     governing: Vec<Vec<usize>>,
     visible: usize,
     process: Process,
-    /// The folder of the compiled simulation, which must exist while it runs.
-    _folder: TempDir,
+    /// The folder of the compiled simulation, which must exist while it runs, and of its dump.
+    folder: TempDir,
 }
 
 impl Icarus {
@@ -33,6 +47,33 @@ impl Icarus {
     /// Icarus is missing or refuses the text.
     pub fn new(design: &Emitted) -> Result<Self, DeviceError> {
         Self::start("icarus", design, Tool::Iverilog.version()?)
+    }
+
+    /// Starts the compiled design anew, from power-up. Every change of a net of its top module is written to a file, of some 5 bytes a
+    /// change, in the folder for temporary files.
+    ///
+    /// # Errors
+    /// The simulation does not start.
+    pub fn dumping(self) -> Result<Self, DeviceError> {
+        let process = simulation(self.name, self.folder.path(), &[DUMP_ARGUMENT])?;
+        Ok(Self { process, ..self })
+    }
+
+    /// Ends a simulation that is [`dumping`](Self::dumping), and counts what the nets of the design's top module did in
+    /// its first `clocks` clocks.
+    ///
+    /// # Errors
+    /// The simulation failed or had fewer clocks, or a net was neither 0 nor 1 in one.
+    pub fn activities(mut self, clocks: u64) -> Result<Activities, DeviceError> {
+        self.process.finish()?;
+        let path = self.folder.path().join(DUMP);
+        let counted =
+            File::open(&path).and_then(|dump| activities(BufReader::new(dump), DUT, clocks));
+        counted.map_err(|source| DeviceError::File {
+            action: "read",
+            path: path.display().to_string(),
+            source,
+        })
     }
 
     /// Compiles the design and starts it. The word of an input is all x, except in clocks in which all inputs
@@ -61,13 +102,11 @@ impl Icarus {
         let text = [design.text.as_str(), &trace_module(design), &bench(design)];
         let source = folder.path().join("bench.v");
         write_file(&source, &text.join("\n"))?;
-        let compiled = folder.path().join("bench.vvp");
         run(Command::new(Tool::Iverilog.find()?)
-            .args(["-g2005", "-s", "bench", "-o"])
-            .args([&compiled, &source]))?;
-        let mut simulate = Command::new(Tool::Vvp.find()?);
-        // -n: where the simulation stops, it ends and does not prompt.
-        let process = Process::start(name, simulate.arg("-n").arg(&compiled), folder.path())?;
+            .current_dir(folder.path())
+            .args(["-g2005", "-s", "bench", "-o", COMPILED])
+            .arg(&source))?;
+        let process = simulation(name, folder.path(), &[])?;
         Ok(Self {
             name,
             version,
@@ -75,9 +114,22 @@ impl Icarus {
             governing: vec![Vec::new(); design.pins.inputs.len()],
             visible: design.pins.observed.len(),
             process,
-            _folder: folder,
+            folder,
         })
     }
+}
+
+/// Starts the compiled simulation in its folder.
+fn simulation(
+    name: &'static str,
+    folder: &Path,
+    arguments: &[&str],
+) -> Result<Process, DeviceError> {
+    let mut simulate = Command::new(Tool::Vvp.find()?);
+    let arguments = arguments.iter().map(|argument| format!("+{argument}"));
+    // -n: where the simulation stops, it ends and does not prompt.
+    simulate.args(["-n", COMPILED]).args(arguments);
+    Process::start(name, simulate.current_dir(folder), folder)
 }
 
 impl Device for Icarus {
@@ -140,6 +192,10 @@ fn read_frame(
     for _ in 0..clocks {
         line.clear();
         stdout.read_line(&mut line)?;
+        if line.starts_with(DUMP_OPENED) {
+            line.clear();
+            stdout.read_line(&mut line)?;
+        }
         let before = observed.values.len();
         for word in line.split_whitespace() {
             let index = observed.values.len();
@@ -203,6 +259,10 @@ fn bench(design: &Emitted) -> String {
         text,
         r#"  {TRACE} trace({ports});
   initial begin
+    if ($test$plusargs("{DUMP_ARGUMENT}")) begin
+      $dumpfile("{DUMP}");
+      $dumpvars(1, trace.{DUT});
+    end
     read = $fscanf({STDIN}, "%d", clocks);
     while (read == 1) begin
       while (clocks > 0) begin

@@ -1,5 +1,6 @@
 //! Devices: simulators that accept rows of inputs and return rows of signals.
 
+mod activity;
 mod board;
 mod core;
 mod icarus;

@@ -11,6 +11,7 @@ use fpga_flow::{Device, FLOWS, Flow, Placer, Router};
 
 use crate::narrow::WideArgs;
 use crate::project::ABC9_TARGET_PS;
+use crate::scenes::SceneName;
 use crate::shards::ShardArgs;
 use crate::synth::figures::recorded_flows;
 use crate::synth::{DEFAULT_DEVICE, asic};
@@ -26,6 +27,7 @@ Examples:
   photoncube synth --machine paper --device up5k     area and clock in an iCE40, or what it lacks
   photoncube synth --check                           fails where the committed rows are stale
   photoncube synth --asic --machine stream           area, clock and energy in standard cells
+  photoncube synth --asic --machine stream --activity-of cornell
   photoncube synth --seeds 20 --shard 2/7 --state 2.jobs    a part, for `photoncube merge`
 
 Yosys maps each machine in every flow; nextpnr places and routes it on an FPGA, in a serial wrapper
@@ -93,6 +95,10 @@ pub struct SynthArgs {
     /// The transitions of each net in a clock cycle
     #[arg(long, requires = "asic", default_value_t = asic::ACTIVITY, value_name = "X", value_parser = activity)]
     pub activity: f64,
+    /// Simulate the mapped netlist on photons of this scene too, compare it with the golden model in every clock, and take the energy
+    /// at each net's own transitions; without a name on cornell. Needs Icarus
+    #[arg(long, requires = "asic", value_name = "SCENE", num_args = 0..=1, default_missing_value = "cornell")]
+    pub activity_of: Option<SceneName>,
     #[command(flatten)]
     pub shard: ShardArgs,
     #[command(flatten)]

@@ -1,18 +1,22 @@
 //! Measures machines in standard cells: area, clock, and energy of a photon test.
 
+mod simulated;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::thread::available_parallelism;
 
 use anyhow::{Context, Result, anyhow};
-use fpga_flow::asic::{CellFigures, Library, Sta, measure};
-use fpga_flow::{FlowError, ToolError, Tools};
+use fpga_flow::asic::{CellFigures, Library, Sta, measure, measure_simulated, simulatable};
+use fpga_flow::{FlowError, ToolError, Tools, Yosys};
 use photoncube_spec::Machine;
+use photoncube_testbench::Tool;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use self::simulated::{Simulated, Workload};
 use super::{Subject, tables};
 use crate::args::SynthArgs;
 use crate::{output, progress, synth, table};
@@ -44,6 +48,8 @@ pub struct AsicRow {
     energy_pj_per_test: f64,
     /// The share of the registers in the energy.
     register_energy_share: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    simulated: Option<Simulated>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -71,6 +77,7 @@ impl AsicRow {
             photon_tests_per_clock: tests,
             energy_pj_per_test: figures.cycle_energy_pj() / tests,
             register_energy_share: figures.register_energy_pj / figures.cycle_energy_pj(),
+            simulated: None,
         }
     }
 }
@@ -86,31 +93,69 @@ pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> R
     let library = library(&tools, scratch.path(), &args.liberty)?;
     let mut tool_versions = tools.versions(scratch.path())?;
     tool_versions.insert("opensta".to_owned(), Sta::VERSION.to_owned());
+    let flow = CellFlow {
+        yosys: tools.yosys(),
+        sta,
+        library,
+        activity: args.activity,
+        workload: args.activity_of.as_ref().map(Workload::of).transpose()?,
+    };
+    if flow.workload.is_some() {
+        tool_versions.insert("icarus".to_owned(), Tool::Iverilog.version()?);
+    }
     let report = Report {
-        library: library.name().to_owned(),
-        library_sha256: library.sha256(),
+        library: flow.library.name().to_owned(),
+        library_sha256: flow.library.sha256(),
         activity: args.activity,
         tool_versions,
         machines: rows(args, machines, |subject| {
             let folder = scratch.path().join(&subject.name);
             fs::create_dir(&folder)?;
-            subject.design.write(&folder)?;
-            let design = &subject.design;
-            let figures = measure(
-                tools.yosys(),
-                &sta,
-                &folder,
-                design,
-                &library,
-                args.activity,
-            );
-            let figures = figures.with_context(|| format!("machine {}", subject.name))?;
+            let row = flow.row(subject, &folder);
+            let row = row.with_context(|| format!("machine {}", subject.name))?;
             // A netlist of hundreds of engines takes hundreds of MB.
             fs::remove_dir_all(&folder)?;
-            Ok(AsicRow::of(subject, &figures))
+            Ok(row)
         })?,
     };
     output::print_tables(json, args.wide, &report, || text(&report))
+}
+
+/// How machines are measured.
+struct CellFlow<'a> {
+    yosys: &'a Yosys,
+    sta: Sta,
+    library: Library,
+    /// The assumed activity.
+    activity: f64,
+    /// Where the netlists are simulated, on what.
+    workload: Option<Workload>,
+}
+
+impl CellFlow<'_> {
+    fn row(&self, subject: &Subject, folder: &Path) -> Result<AsicRow> {
+        let Self {
+            yosys,
+            sta,
+            library,
+            ..
+        } = self;
+        let design = &subject.design;
+        design.write(folder)?;
+        let figures = measure(yosys, sta, folder, design, library, self.activity)?;
+        let simulated = self.workload.as_ref().map(|workload| {
+            let netlist = simulatable(yosys, folder, design, library)?;
+            let simulation = workload.simulate(subject, &netlist)?;
+            let (measured, activities) = ((design, &figures), &simulation.activities);
+            let energy = measure_simulated(yosys, sta, folder, measured, library, activities)?;
+            Ok(Simulated::of(workload, &netlist, &simulation, &energy))
+        });
+        let simulated: Result<_> = simulated.transpose();
+        Ok(AsicRow {
+            simulated: simulated?,
+            ..AsicRow::of(subject, &figures)
+        })
+    }
 }
 
 fn library(tools: &Tools, scratch: &Path, liberty: &Path) -> Result<Library> {
@@ -179,13 +224,19 @@ pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
 }
 
 fn text(report: &Report) -> String {
-    format!(
-        "Standard cells of {}, {} transitions of a net in a clock cycle, no wires, no clock tree:\n{}\n{}\n",
+    let mut text = format!(
+        "Standard cells of {}, {} transitions of a net in a clock cycle, no wires, no clock tree:\n{}\n",
         report.library,
         report.activity,
         rows_table(&report.machines),
-        tables::measured_by(&report.tool_versions)
-    )
+    );
+    if report.machines.iter().any(|row| row.simulated.is_some()) {
+        text += &format!(
+            "Simulated on photons of a scene, each net with its own transitions:\n{}\n",
+            simulated::table(&report.machines)
+        );
+    }
+    text + &tables::measured_by(&report.tool_versions) + "\n"
 }
 
 fn rows_table(rows: &[AsicRow]) -> String {

@@ -95,7 +95,7 @@ fn readers(cells: &Value) -> BTreeMap<u64, Vec<Pin>> {
 }
 
 /// The largest number of a net in the module.
-fn last_net(module: &Value) -> u64 {
+pub(super) fn last_net(module: &Value) -> u64 {
     let nets = module["netnames"].as_object().into_iter().flatten();
     let bits = nets.flat_map(|(_, net)| net["bits"].as_array().into_iter().flatten());
     bits.filter_map(Value::as_u64).max().unwrap_or(0)

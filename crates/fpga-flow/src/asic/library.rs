@@ -17,8 +17,18 @@ pub struct Library {
     name: String,
     text: String,
     nand2_area: f64,
-    register: Cell,
+    register: Register,
     buffer: Cell,
+}
+
+/// The register of a library.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Register {
+    pub cell: Cell,
+    /// The name of its clock.
+    pub clock: String,
+    /// Its outputs but that of the cell, which they are the inverse of.
+    pub inverse_outputs: Vec<String>,
 }
 
 /// A cell with the pins that the flow connects.
@@ -70,7 +80,7 @@ impl Library {
         let probe = Netlist::parse(&read(&scratch.join("probe.json"))?)?;
         let known = Netlist::parse(&read(&scratch.join("cells.json"))?)?;
         Ok(Self {
-            register: register(&probe).ok_or_else(|| found("no register"))?,
+            register: register(&probe, &known).ok_or_else(|| found("no register"))?,
             buffer: buffer(&known, LARGEST_BUFFER * nand2_area)
                 .ok_or_else(|| found("no buffer"))?,
             name,
@@ -97,11 +107,14 @@ impl Library {
         self.nand2_area
     }
 
-    pub(super) fn text(&self) -> &str {
-        &self.text
+    /// The text for OpenSTA, which takes the outputs of a register for independent: where the conditions of an energy name both, their
+    /// probabilities add up to a half. So a condition names one output here.
+    pub(super) fn text(&self) -> String {
+        let [both, other] = ["& Q & !QN", "& !Q & QN"];
+        self.text.replace(both, "& Q").replace(other, "& !Q")
     }
 
-    pub(super) fn register(&self) -> &Cell {
+    pub(super) fn register(&self) -> &Register {
         &self.register
     }
 
@@ -120,19 +133,28 @@ fn name(text: &str) -> Option<String> {
 }
 
 /// The cell of the register's probe, with the pins on the probe's ports.
-fn register(probe: &Netlist) -> Option<Cell> {
+fn register(probe: &Netlist, library: &Netlist) -> Option<Register> {
     let module = &probe.json()["modules"]["register"];
-    let [d, q] = ["d", "q"].map(|port| &module["ports"][port]["bits"]);
+    let [d, q, clock] = ["d", "q", "clock"].map(|port| &module["ports"][port]["bits"]);
     let mut cells = cells(module).ok()?.values();
     cells.find_map(|cell| {
         let pin = |bits: &Value| {
             let mut pins = cell["connections"].as_object()?.iter();
             Some(pins.find(|(_, on)| *on == bits)?.0.clone())
         };
-        Some(Cell {
-            cell: cell["type"].as_str()?.to_owned(),
-            input: pin(d)?,
-            output: pin(q)?,
+        let (output, kind) = (pin(q)?, cell["type"].as_str()?);
+        let ports = library.json()["modules"][kind]["ports"].as_object()?;
+        let others = ports
+            .iter()
+            .filter(|(name, port)| port["direction"] == "output" && **name != output);
+        Some(Register {
+            clock: pin(clock)?,
+            inverse_outputs: others.map(|(name, _)| name.clone()).collect(),
+            cell: Cell {
+                cell: kind.to_owned(),
+                input: pin(d)?,
+                output,
+            },
         })
     })
 }
@@ -164,6 +186,30 @@ fn buffer(library: &Netlist, most: f64) -> Option<Cell> {
 }
 
 #[cfg(test)]
+impl Library {
+    /// A library of a register alone.
+    pub(super) fn small() -> Self {
+        let [cell, input, output] = ["DFF", "D", "Q"].map(str::to_owned);
+        let cell = Cell {
+            cell,
+            input,
+            output,
+        };
+        Self {
+            name: "small".to_owned(),
+            text: String::new(),
+            nand2_area: 1.0,
+            buffer: cell.clone(),
+            register: Register {
+                cell,
+                clock: "CK".to_owned(),
+                inverse_outputs: vec!["QN".to_owned()],
+            },
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use serde_json::json;
 
@@ -184,6 +230,19 @@ mod tests {
         assert_eq!(name("library(\"one two\"){").as_deref(), Some("one two"));
         assert_eq!(name("library {"), None);
         assert_eq!(name("module top();"), None);
+    }
+
+    #[test]
+    fn a_condition_for_opensta_names_one_output_of_a_register() {
+        let library = Library {
+            text: "when : \"D & Q & !QN\"; when : \"!CK & !Q & QN\"; when : \"A & !B\"".to_owned(),
+            ..Library::small()
+        };
+        assert_eq!(
+            library.text(),
+            "when : \"D & Q\"; when : \"!CK & !Q\"; when : \"A & !B\""
+        );
+        assert_eq!(library.sha256(), hexadecimal(&library.text));
     }
 
     #[test]

@@ -4,9 +4,11 @@
 //! computes delays and powers. There are no wires and there is no clock tree: a cell drives the pins of its readers alone. A
 //! chip is larger, slower and takes more power than these figures say.
 
+mod activity;
 mod fanout;
 mod library;
 mod timing;
+mod wrong_cell;
 
 use std::path::Path;
 
@@ -18,8 +20,10 @@ use crate::error::{Result, read, unexpected, write};
 use crate::netlist::Netlist;
 use crate::yosys::Yosys;
 
+pub use activity::{Activities, Toggles};
 pub use library::Library;
 pub use timing::Sta;
+pub use wrong_cell::WrongCell;
 
 /// The name of the clock of a design.
 const CLOCK: &str = "clock";
@@ -27,8 +31,13 @@ const CLOCK: &str = "clock";
 const LIBERTY: &str = "library.lib";
 /// The mapped netlist there. Its ports are single bits, since OpenSTA reads no concatenations.
 const NETLIST: &str = "mapped.v";
+/// The mapped netlist with the ports of the design, as JSON. Cells and nets have the names that they have in the others.
+const MAPPED: &str = "mapped.json";
 /// The mapped netlist with the ports of the design.
 const WITH_PORTS: &str = "mapped_with_ports.v";
+/// The netlist with a register behind each input, and what OpenSTA is told of its pins.
+const POWERED: &str = "powered.v";
+const ACTIVITIES: &str = "activities.tcl";
 /// The options with which Yosys writes cells alone.
 const PLAIN: &str = "-noattr -noexpr -nohex -nodec";
 /// What ABC takes from the library for the ends of a design.
@@ -100,7 +109,7 @@ pub fn measure(
     library: &Library,
     activity: f64,
 ) -> Result<CellFigures> {
-    write(&folder.join(LIBERTY), library.text())?;
+    write(&folder.join(LIBERTY), &library.text())?;
     let fanout_buffers = map(yosys, folder, design, library)?;
     let stat = Stat::parse(&read(&folder.join("stat.json"))?)?;
     let [area, register_area] = stat.areas()?;
@@ -118,26 +127,81 @@ pub fn measure(
     })
 }
 
-/// The netlist that [`measure`] left in the folder, with models of the library's cells by Yosys. Registers are 0 at power-up, as the
-/// registers of the design are at their initial values; real cells are so only after a reset.
+/// The figures of a design that [`measure`] has measured in the folder, but with the energies at the activities of a simulation of
+/// [`simulatable`]; and the mean transitions of a net, without the clock, in a clock cycle.
 ///
 /// # Errors
-/// Nothing was measured in the folder, or Yosys fails.
-pub fn netlist_with_models(yosys: &Yosys, folder: &Path) -> Result<String> {
+/// Nothing was measured in the folder, the simulation lacks a net, or Yosys or OpenSTA fails.
+pub fn measure_simulated(
+    yosys: &Yosys,
+    sta: &Sta,
+    folder: &Path,
+    measured: (&Design, &CellFigures),
+    library: &Library,
+    activities: &Activities,
+) -> Result<(CellFigures, f64)> {
+    let (design, figures) = measured;
+    let mapped = Netlist::parse(&read(&folder.join(MAPPED))?)?;
+    let told = activity::told(mapped, &design.top, library, activities)?;
+    write(&folder.join("powered.json"), &told.netlist.to_string())?;
+    write(&folder.join(ACTIVITIES), &told.script)?;
+    let script = format!(
+        "read_json powered.json; hierarchy -top {}; splitnets -ports; \
+         opt_clean -purge; write_verilog {PLAIN} {POWERED}",
+        design.top
+    );
+    yosys.run(folder, &script)?;
+    let [registers, logic] = sta.powers(folder, &design.top)?;
+    let figures = CellFigures {
+        register_energy_pj: registers.cycle_energy_pj(),
+        logic_energy_pj: logic.cycle_energy_pj(),
+        ..figures.clone()
+    };
+    Ok((figures, told.mean))
+}
+
+/// A mapped netlist, to be simulated.
+#[derive(Clone, Debug)]
+pub struct Simulatable {
+    /// The Verilog of the netlist, with models of the library's cells by Yosys. Registers are 0 at power-up, as the registers of the
+    /// design are at their initial values; real cells are so only after a reset.
+    pub text: String,
+    /// The same with a planted fault, which a comparison must find.
+    pub control: WrongCell,
+    /// [`Netlist::sha256`] of the netlist.
+    pub netlist_sha256: String,
+}
+
+/// The netlist that [`measure`] left in the folder.
+///
+/// # Errors
+/// Nothing was measured in the folder, Yosys fails, or the netlist has no place for a fault.
+pub fn simulatable(
+    yosys: &Yosys,
+    folder: &Path,
+    design: &Design,
+    library: &Library,
+) -> Result<Simulatable> {
     let script = format!(
         "read_liberty -ignore_miss_func {LIBERTY}; select */t:$_DFF_* %co:+[Q] */w:* %i; setattr -set init 1'0 %; \
          select -clear; write_verilog -noattr models.v"
     );
     yosys.run(folder, &script)?;
     let [netlist, models] = [WITH_PORTS, "models.v"].map(|file| read(&folder.join(file)));
-    Ok(netlist? + &models?)
+    let text = netlist? + &models?;
+    let mapped = Netlist::parse(&read(&folder.join(MAPPED))?)?;
+    Ok(Simulatable {
+        control: wrong_cell::plant(&mapped, &design.top, library, &text)?,
+        netlist_sha256: mapped.sha256()?,
+        text,
+    })
 }
 
 /// Maps the design and writes its netlist. Returns the number of buffers behind registers and ports.
 fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Result<u64> {
     let top = &design.top;
     write(&folder.join(SCRIPT), &format!("{MAPPING}\n"))?;
-    let ends = format!("set_driving_cell {}\n", library.register().cell);
+    let ends = format!("set_driving_cell {}\n", library.register().cell.cell);
     write(&folder.join(CONSTRAINTS), &ends)?;
     let registers = format!(
         "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; \
@@ -152,8 +216,9 @@ fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Resu
     let logic = format!(
         "read_json divided.json; hierarchy -top {top}; \
          abc -liberty {LIBERTY} -constr {CONSTRAINTS} -D {TARGET_PS} -script {SCRIPT}; setundef -zero; splitnets; \
-         opt_clean -purge; rename -hide w:*; write_verilog {PLAIN} {WITH_PORTS}; splitnets -ports; opt_clean -purge; tee -q -o stat.json stat -liberty {LIBERTY} -json; \
-         write_verilog {PLAIN} {NETLIST}"
+         opt_clean -purge; rename -hide w:*; rename -enumerate; write_json {MAPPED}; \
+         write_verilog {PLAIN} {WITH_PORTS}; splitnets -ports; opt_clean -purge; \
+         tee -q -o stat.json stat -liberty {LIBERTY} -json; write_verilog {PLAIN} {NETLIST}"
     );
     yosys.run(folder, &logic)?;
     Ok(buffers)

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use super::activity::SOURCE;
 use super::library::Library;
-use super::{CLOCK, LIBERTY, NETLIST};
+use super::{ACTIVITIES, CLOCK, LIBERTY, NETLIST, POWERED};
 use crate::error::{Result, ensure, unexpected, write};
 use crate::program::{Program, run};
 use crate::yosys::version_of;
@@ -46,6 +47,9 @@ const OVERCOUNT: f64 = 0.5;
 /// The clock period at which powers are computed, in ns. The energy of a cycle does not depend on it.
 const PERIOD_NS: f64 = 10.0;
 
+/// The name of the row with the powers of the registers behind inputs.
+const SOURCES: &str = "Sources";
+
 impl Power {
     /// The energy of a clock cycle, in picojoules.
     pub(super) fn cycle_energy_pj(self) -> f64 {
@@ -80,6 +84,15 @@ impl Sta {
         let said = run(&self.path, ["-no_splash", "-exit", file], folder)?;
         times(&said)
     }
+
+    /// The powers of the registers and of the logic of the netlist [`POWERED`] at the activities that [`ACTIVITIES`] gives its pins,
+    /// without the registers behind its inputs.
+    pub(super) fn powers(&self, folder: &Path, top: &str) -> Result<[Power; 2]> {
+        let file = "powers.tcl";
+        write(&folder.join(file), &powers_script(top))?;
+        let said = run(&self.path, ["-no_splash", "-exit", file], folder)?;
+        powers(&said)
+    }
 }
 
 fn check_version(found: &str) -> Result<()> {
@@ -91,8 +104,33 @@ fn check_version(found: &str) -> Result<()> {
     })
 }
 
+/// [`Power`] of the design, and the sum over the registers behind its inputs. OpenSTA's own `set_power_activity -pins` passes over
+/// outputs of cells, so the script calls what it calls.
+fn powers_script(top: &str) -> String {
+    format!(
+        "set_cmd_units -time ns -power W
+read_liberty {LIBERTY}
+read_verilog {POWERED}
+link_design {top}
+create_clock -name {CLOCK} -period {PERIOD_NS} [get_ports {CLOCK}]
+source {ACTIVITIES}
+report_power -digits 9
+set internal 0.0
+set switching 0.0
+set leakage 0.0
+foreach source [get_cells -quiet {SOURCE}*] {{
+  lassign [sta::instance_power $source [sta::cmd_corner]] in through rest
+  set internal [expr {{$internal + $in}}]
+  set switching [expr {{$switching + $through}}]
+  set leakage [expr {{$leakage + $rest}}]
+}}
+puts \"{SOURCES} $internal $switching $leakage [expr {{$internal + $switching + $leakage}}]\"
+"
+    )
+}
+
 fn script(top: &str, library: &Library, activity: f64) -> String {
-    let register = library.register();
+    let register = &library.register().cell;
     format!(
         "set_cmd_units -time ns -power W
 read_liberty {LIBERTY}
@@ -116,22 +154,42 @@ report_power -digits 9
 
 /// The figures in what OpenSTA printed.
 fn times(said: &str) -> Result<Times> {
+    Ok(Times {
+        period_ns: PERIOD_NS - row(said, "worst slack")?[0],
+        registers: power(said, "Sequential")?,
+        logic: power(said, "Combinational")?,
+    })
+}
+
+/// The powers of registers and logic in what OpenSTA printed, without those of the registers behind inputs.
+fn powers(said: &str) -> Result<[Power; 2]> {
+    let [all, sources] = [power(said, "Sequential")?, power(said, SOURCES)?];
+    let registers = Power {
+        dynamic_w: all.dynamic_w - sources.dynamic_w,
+        leakage_w: all.leakage_w - sources.leakage_w,
+    };
+    Ok([registers, power(said, "Combinational")?])
+}
+
+/// The numbers in a row of what OpenSTA printed.
+fn row(said: &str, name: &str) -> Result<Vec<f64>> {
     // OpenSTA goes on after an error, with results that are of something else.
     if let Some(error) = said.lines().find(|line| line.starts_with("Error")) {
         return Err(unexpected(format!("OpenSTA says: {error}")));
     }
-    let row = |name: &str| -> Result<Vec<f64>> {
-        let line = said.lines().find_map(|line| line.strip_prefix(name));
-        let words = line.into_iter().flat_map(str::split_whitespace);
-        let numbers: Vec<f64> = words.map_while(|word| word.parse().ok()).collect();
-        match numbers.is_empty() {
-            true => Err(unexpected(format!(
-                "found no `{name}` in what OpenSTA says"
-            ))),
-            false => Ok(numbers),
-        }
-    };
-    let power = |name: &str| match row(name)?[..] {
+    let line = said.lines().find_map(|line| line.strip_prefix(name));
+    let words = line.into_iter().flat_map(str::split_whitespace);
+    let numbers: Vec<f64> = words.map_while(|word| word.parse().ok()).collect();
+    match numbers.is_empty() {
+        true => Err(unexpected(format!(
+            "found no `{name}` in what OpenSTA says"
+        ))),
+        false => Ok(numbers),
+    }
+}
+
+fn power(said: &str, name: &str) -> Result<Power> {
+    match row(said, name)?[..] {
         [internal, switching, leakage, _total] => Ok(Power {
             dynamic_w: OVERCOUNT * internal + switching,
             leakage_w: leakage,
@@ -139,12 +197,7 @@ fn times(said: &str) -> Result<Times> {
         _ => Err(unexpected(format!(
             "found another table of powers in what OpenSTA says, row `{name}`"
         ))),
-    };
-    Ok(Times {
-        period_ns: PERIOD_NS - row("worst slack")?[0],
-        registers: power("Sequential")?,
-        logic: power("Combinational")?,
-    })
+    }
 }
 
 #[cfg(test)]

@@ -1,13 +1,15 @@
 //! Tests of the measurements in standard cells.
 
-use fpga_flow::asic::netlist_with_models;
-use photoncube_hdl::{Level, emit};
+use std::ffi::OsString;
+
+use fpga_flow::asic::{Activities, Simulatable, Toggles};
 use photoncube_spec::find_machine;
-use photoncube_testbench::{
-    Icarus, Source, Verdict, VerifyError, VerifyOptions, verify_device, with_outputs_alone,
-};
 
 use super::*;
+use crate::failure::CheckFailed;
+
+#[path = "beside.rs"]
+mod beside;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs");
 
@@ -17,8 +19,13 @@ fn the_page_has_the_recorded_tables() {
     let files = recorded(&Path::new(ROOT).join("measured")).unwrap();
     assert!(!files.is_empty());
     for (file, report) in files {
-        let table = rows_table(&report.machines);
-        assert!(page.contains(&table), "{file} has this table:\n{table}");
+        let tables = [
+            rows_table(&report.machines),
+            simulated::table(&report.machines),
+        ];
+        for table in tables {
+            assert!(page.contains(&table), "{file} has this table:\n{table}");
+        }
         assert!(
             page.contains(&report.library_sha256),
             "{file}: {}",
@@ -27,40 +34,86 @@ fn the_page_has_the_recorded_tables() {
     }
 }
 
-/// The mapped netlist of `machine` with the models of its cells, and the subject.
-fn mapped(machine: &'static Machine) -> String {
-    let scratch = tempfile::tempdir().unwrap();
-    let tools = synth::tools(None, None).unwrap();
-    let library = library(&tools, scratch.path(), Path::new(LIBERTY)).unwrap();
-    let design = Subject::of(machine).unwrap().design;
-    design.write(scratch.path()).unwrap();
-    let (yosys, sta) = (tools.yosys(), Sta::find(scratch.path()).unwrap());
-    measure(yosys, &sta, scratch.path(), &design, &library, ACTIVITY).unwrap();
-    netlist_with_models(yosys, scratch.path()).unwrap()
+#[test]
+fn every_recorded_key_is_documented() {
+    let documented = fs::read_to_string(format!("{ROOT}/json.md")).unwrap();
+    for (file, report) in recorded(&Path::new(ROOT).join("measured")).unwrap() {
+        let report = serde_json::to_value(report).unwrap();
+        let row = &report["machines"][0];
+        let objects = [&report, row, &row["simulated"]].map(|object| object.as_object().unwrap());
+        let mut keys = objects.iter().flat_map(|object| object.keys());
+        let missing = keys.find(|key| !documented.contains(&format!("`{key}`")));
+        assert_eq!(missing, None, "{file}: docs/json.md does not explain it");
+    }
 }
 
-/// What the simulation of a netlist says.
-fn simulated(machine: &'static Machine, text: String) -> Result<Verdict, VerifyError> {
-    let design = emit(machine, Level::Machine).unwrap();
-    let mut device = Icarus::new(&with_outputs_alone(&design, text)).unwrap();
-    let options = VerifyOptions {
-        iterations: 200,
-        seed: 1,
-        source: Source::Random,
-    };
-    verify_device(machine, &mut device, &options, &|_| ())
-}
-
-/// The smallest machine, in standard cells, equals the golden model on its pins in every clock; a wrong cell is found.
+/// The netlist of the smallest machine in standard cells equals the golden model, on random stimulus and on photons of a scene. A wrong
+/// cell is found, and a control that finds nothing fails. Where each net has the assumed activity, the energy is the assumed one.
 #[test]
 #[ignore = "needs Yosys, OpenSTA and Icarus: scripts/setup.sh --asic installs them"]
-fn a_netlist_equals_the_golden_model() {
-    let machine = find_machine("fit-ring").unwrap();
-    let text = mapped(machine);
-    let verdict = simulated(machine, text.clone()).unwrap();
-    assert!(verdict.results_compared > 0, "{verdict:?}");
-    let wrong = text.replacen("  AOI21X1 ", "  OAI21X1 ", 1);
-    assert_ne!(wrong, text);
-    let found = simulated(machine, wrong);
-    assert!(matches!(found, Err(VerifyError::Diverged(_))), "{found:?}");
+fn a_netlist_is_simulated_and_its_activities_are_told() {
+    let scratch = tempfile::tempdir().unwrap();
+    let (tools, folder) = (synth::tools(None, None).unwrap(), scratch.path());
+    let library = library(&tools, folder, Path::new(LIBERTY)).unwrap();
+    let subject = Subject::of(find_machine("fit-ring").unwrap()).unwrap();
+    let design = &subject.design;
+    design.write(folder).unwrap();
+    let (yosys, sta) = (tools.yosys(), Sta::find(folder).unwrap());
+    let figures = measure(yosys, &sta, folder, design, &library, ACTIVITY).unwrap();
+    let netlist = simulatable(yosys, folder, design, &library).unwrap();
+    let mut workload = Workload::of(&OsString::from("cornell").into()).unwrap();
+    (workload.clocks, workload.random_iterations) = (1.0, 20);
+
+    let wrong = Simulatable {
+        text: netlist.control.text.clone(),
+        ..netlist.clone()
+    };
+    let error = workload.simulate(&subject, &wrong).err().unwrap();
+    assert!(error.is::<CheckFailed>(), "{error}");
+    assert!(
+        error.to_string().contains("differs from the golden model"),
+        "{error}"
+    );
+    let mut blind = netlist.clone();
+    blind.control.text.clone_from(&netlist.text);
+    let error = workload.simulate(&subject, &blind).err().unwrap();
+    assert!(
+        error.is::<CheckFailed>() && error.to_string().contains("was not found"),
+        "{error}"
+    );
+
+    let simulation = workload.simulate(&subject, &netlist).unwrap();
+    let simulated = |activities: &Activities| {
+        let measured = (design, &figures);
+        measure_simulated(yosys, &sta, folder, measured, &library, activities).unwrap()
+    };
+    let counted = simulated(&simulation.activities);
+    let row = Simulated::of(&workload, &netlist, &simulation, &counted);
+    assert!(row.tests_per_clock() > 0.4, "{row:?}");
+    let mut uniform = simulation.activities;
+    uniform.clocks = 10;
+    let toggles = Toggles {
+        transitions: 2,
+        ones: 5,
+    };
+    uniform
+        .nets
+        .values_mut()
+        .flatten()
+        .for_each(|bit| *bit = toggles);
+    let (same, mean) = simulated(&uniform);
+    assert!((mean - ACTIVITY).abs() < 1e-9);
+    let near = |found: f64, expected: f64| (found / expected - 1.0).abs() < 1e-3;
+    assert!(
+        near(same.logic_energy_pj, figures.logic_energy_pj),
+        "{same:?} {figures:?}"
+    );
+    assert!(
+        near(same.register_energy_pj, figures.register_energy_pj),
+        "{same:?} {figures:?}"
+    );
+    assert!(
+        counted.0.logic_energy_pj < same.logic_energy_pj,
+        "{counted:?}"
+    );
 }

@@ -1,0 +1,281 @@
+//! The activity of each net, counted in a simulation, and what OpenSTA is told of it.
+//!
+//! OpenSTA of [`Sta::VERSION`](super::Sta::VERSION) computes activities of its own in all logic behind an input of the design, also
+//! where a pin has been given one. So a register is put between each input and its readers; its power is subtracted.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use serde_json::{Value, json};
+
+use super::CLOCK;
+use super::library::{Library, Register};
+use crate::error::{Result, ensure, unexpected};
+use crate::netlist::{Netlist, connections};
+
+/// The names of the registers behind the inputs begin with this. No other cell is named so: Yosys has numbered them.
+pub(super) const SOURCE: &str = "source_";
+
+/// What one bit of a net did in a number of clock cycles.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Toggles {
+    /// The number of cycles at whose end the bit had another value than at the end of the cycle before.
+    pub transitions: u64,
+    /// The number of cycles at whose end the bit was 1.
+    pub ones: u64,
+}
+
+/// What the nets of a mapped netlist did in a simulation.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Activities {
+    /// The number of clock cycles; not 0.
+    pub clocks: u64,
+    /// By the name of a net, its bits from the lowest.
+    pub nets: BTreeMap<String, Vec<Toggles>>,
+}
+
+/// The activity of a pin: transitions in a clock cycle, and the part of the time at 1.
+#[derive(Copy, Clone, Debug, PartialEq)]
+struct Activity {
+    transitions: f64,
+    duty: f64,
+}
+
+/// A netlist with its activities, for OpenSTA.
+#[derive(Debug)]
+pub(super) struct Told {
+    /// The netlist with a register behind each input.
+    pub netlist: Netlist,
+    /// Tcl that gives each pin its activity.
+    pub script: String,
+    /// The mean transitions of a net in a clock cycle, without the clock.
+    pub mean: f64,
+}
+
+impl Activity {
+    fn inverse(self) -> Self {
+        Self {
+            duty: 1.0 - self.duty,
+            ..self
+        }
+    }
+}
+
+/// Prepares the netlist `mapped` of the module `top` for OpenSTA.
+///
+/// # Errors
+/// The netlist is no such module, or the simulation lacks a net of it.
+pub(super) fn told(
+    mut netlist: Netlist,
+    top: &str,
+    library: &Library,
+    activities: &Activities,
+) -> Result<Told> {
+    ensure(activities.clocks > 0, || {
+        "found activities of no clock cycle, expected at least one".to_owned()
+    })?;
+    let module = &mut netlist.json_mut()["modules"][top];
+    let bits = of_bits(module, activities)?;
+    let clock = module["ports"][CLOCK]["bits"][0].as_u64();
+    let without_clock = bits.iter().filter(|(bit, _)| Some(**bit) != clock);
+    let transitions: Vec<f64> = without_clock.map(|(_, of)| of.transitions).collect();
+    let mean = transitions.iter().sum::<f64>() / transitions.len().max(1) as f64;
+    let register = library.register();
+    let sources = add_sources(module, register)?;
+    let mut script = String::new();
+    for (name, cell) in module["cells"].as_object().into_iter().flatten() {
+        let mut connected = Vec::new();
+        for (pin, _, on) in connections(cell) {
+            connected.push(pin);
+            let [bit] = on else {
+                return Err(unexpected(format!(
+                    "found pin {pin} of {name} with {} bits",
+                    on.len()
+                )));
+            };
+            let bit = bit.as_u64().map(|bit| *sources.get(&bit).unwrap_or(&bit));
+            if bit.is_some() && bit == clock {
+                continue;
+            }
+            let activity = match (bit, on[0].as_str()) {
+                (Some(bit), _) => *bits.get(&bit).ok_or_else(|| {
+                    unexpected(format!(
+                        "found no activity of the net on pin {pin} of {name}"
+                    ))
+                })?,
+                (None, level) => Activity {
+                    transitions: 0.0,
+                    duty: f64::from(u8::from(level == Some("1"))),
+                },
+            };
+            tell(&mut script, name, pin, activity);
+            // The other output of a register takes its power whether it is connected or not.
+            if cell["type"] == *register.cell.cell && pin == register.cell.output {
+                let others = register.inverse_outputs.iter();
+                others.for_each(|other| tell(&mut script, name, other, activity.inverse()));
+            }
+        }
+    }
+    Ok(Told {
+        netlist,
+        script,
+        mean,
+    })
+}
+
+fn tell(script: &mut String, cell: &str, pin: &str, activity: Activity) {
+    let Activity { transitions, duty } = activity;
+    let _ = writeln!(
+        script,
+        "sta::set_power_pin_activity [get_pins {cell}/{pin}] {transitions:.9} {duty:.9}"
+    );
+}
+
+/// The activity of each bit of a module.
+fn of_bits(module: &Value, activities: &Activities) -> Result<BTreeMap<u64, Activity>> {
+    let clocks = activities.clocks as f64;
+    let mut found = BTreeMap::new();
+    for (name, net) in module["netnames"].as_object().into_iter().flatten() {
+        let bits = net["bits"].as_array().map_or(&[][..], Vec::as_slice);
+        let Some(toggles) = activities.nets.get(name) else {
+            continue;
+        };
+        ensure(toggles.len() == bits.len(), || {
+            format!(
+                "found {} bits of net {name} in the simulation, expected {}",
+                toggles.len(),
+                bits.len()
+            )
+        })?;
+        for (bit, toggles) in bits.iter().zip(toggles) {
+            if let Some(bit) = bit.as_u64() {
+                let activity = Activity {
+                    transitions: toggles.transitions as f64 / clocks,
+                    duty: toggles.ones as f64 / clocks,
+                };
+                found.insert(bit, activity);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Puts a register between each input of the module and its readers. Returns the bit of the input by the bit that took its place.
+fn add_sources(module: &mut Value, register: &Register) -> Result<BTreeMap<u64, u64>> {
+    let clock = module["ports"][CLOCK]["bits"][0].clone();
+    ensure(clock.is_u64(), || {
+        "found no port `clock` of the netlist".to_owned()
+    })?;
+    let ports = module["ports"].as_object().into_iter().flatten();
+    let inputs = ports.filter(|(name, port)| *name != CLOCK && port["direction"] == "input");
+    let bits = inputs.flat_map(|(_, port)| port["bits"].as_array().into_iter().flatten());
+    let inputs: Vec<u64> = bits.filter_map(Value::as_u64).collect();
+    let first = super::fanout::last_net(module) + 1;
+    let replaced: BTreeMap<u64, u64> = inputs.iter().copied().zip(first..).collect();
+    let cells = module["cells"].as_object_mut();
+    let cells = cells.ok_or_else(|| unexpected("found no cells in the netlist"))?;
+    for cell in cells.values_mut() {
+        for on in cell["connections"].as_object_mut().into_iter().flatten() {
+            let bits = on.1.as_array_mut().into_iter().flatten();
+            for bit in bits {
+                if let Some(new) = bit.as_u64().and_then(|bit| replaced.get(&bit)) {
+                    *bit = json!(new);
+                }
+            }
+        }
+    }
+    let Register {
+        cell, clock: pin, ..
+    } = register;
+    for (index, (bit, new)) in replaced.iter().enumerate() {
+        let source = json!({
+            "hide_name": 0, "type": cell.cell, "parameters": {}, "attributes": {},
+            "port_directions": {&cell.input: "input", pin: "input", &cell.output: "output"},
+            "connections": {&cell.input: [bit], pin: [clock], &cell.output: [new]}
+        });
+        cells.insert(format!("{SOURCE}{index}"), source);
+    }
+    Ok(replaced.into_iter().map(|(bit, new)| (new, bit)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An inverter between an input `d` of two bits, of which one is read, and an output.
+    fn netlist() -> Netlist {
+        Netlist::from(json!({"modules": {"top": {
+            "ports": {
+                "clock": {"direction": "input", "bits": [2]}, "d": {"direction": "input", "bits": [3, 4]},
+                "q": {"direction": "output", "bits": [5]}},
+            "cells": {
+                "_1_": {"type": "INV", "port_directions": {"A": "input", "Y": "output"}, "connections": {"A": [4], "Y": [6]}},
+                "_2_": {"type": "DFF", "port_directions": {"CK": "input", "D": "input", "Q": "output"},
+                    "connections": {"CK": [2], "D": [6], "Q": [5]}}},
+            "netnames": {"clock": {"bits": [2]}, "d": {"bits": [3, 4]}, "q": {"bits": [5]}, "_3_": {"bits": [6]}}}}}))
+    }
+
+    fn activities() -> Activities {
+        let toggles = |transitions, ones| Toggles { transitions, ones };
+        let nets = [
+            ("clock", vec![toggles(0, 0)]),
+            ("d", vec![toggles(0, 10), toggles(4, 3)]),
+            ("q", vec![toggles(4, 6)]),
+            ("_3_", vec![toggles(4, 7)]),
+        ];
+        Activities {
+            clocks: 10,
+            nets: nets.map(|(name, bits)| (name.to_owned(), bits)).into(),
+        }
+    }
+
+    #[test]
+    fn each_pin_but_the_clocks_is_told_and_inputs_come_from_registers() {
+        let told = told(netlist(), "top", &Library::small(), &activities()).unwrap();
+        let pins: Vec<_> = told
+            .script
+            .lines()
+            .map(|line| line.replace("sta::set_power_pin_activity ", ""))
+            .collect();
+        let expected = [
+            "[get_pins _1_/A] 0.400000000 0.300000000",
+            "[get_pins _1_/Y] 0.400000000 0.700000000",
+            "[get_pins _2_/D] 0.400000000 0.700000000",
+            "[get_pins _2_/Q] 0.400000000 0.600000000",
+            "[get_pins _2_/QN] 0.400000000 0.400000000",
+            "[get_pins source_0/D] 0.000000000 1.000000000",
+            "[get_pins source_0/Q] 0.000000000 1.000000000",
+            "[get_pins source_0/QN] 0.000000000 0.000000000",
+            "[get_pins source_1/D] 0.400000000 0.300000000",
+            "[get_pins source_1/Q] 0.400000000 0.300000000",
+            "[get_pins source_1/QN] 0.400000000 0.700000000",
+        ];
+        assert_eq!(pins, expected);
+        // Bits 3, 4, 5 and 6, without the clock.
+        assert!((told.mean - 0.3).abs() < 1e-12);
+        let cells = &told.netlist.json()["modules"]["top"]["cells"];
+        assert_eq!(
+            cells["_1_"]["connections"]["A"],
+            cells["source_1"]["connections"]["Q"]
+        );
+    }
+
+    #[test]
+    fn a_net_that_was_not_simulated_is_an_error() {
+        let told = |change: fn(&mut Activities)| {
+            let mut activities = activities();
+            change(&mut activities);
+            let told = told(netlist(), "top", &Library::small(), &activities);
+            told.unwrap_err().to_string()
+        };
+        let error = told(|activities| drop(activities.nets.remove("_3_")));
+        assert!(error.contains("pin Y of _1_"), "{error}");
+        let error = told(|activities| drop(activities.nets.insert("d".to_owned(), Vec::new())));
+        assert!(
+            error.contains("0 bits of net d") && error.contains("expected 2"),
+            "{error}"
+        );
+        let error = told(|activities| activities.clocks = 0);
+        assert!(error.contains("no clock cycle"), "{error}");
+    }
+}
