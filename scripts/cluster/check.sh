@@ -44,10 +44,17 @@ real=${PHOTONCUBE:-${CARGO_TARGET_DIR:-$root/target}/debug/photoncube}
 real=$(realpath -- "$real")
 unset PHOTONCUBE RAY_ADDRESS HQ_SERVER_DIR SLURM_CONF
 PATH=$("$root/scripts/setup.sh" --where-cluster):$PATH
+(($(nproc) >= 2)) || fail 2 "found 1 core, expected two for two workers"
+for file in parallel.sh slurm.sh Snakefile on_ray.py on_hyperqueue.py; do
+    lines=$(wc -l <"$here/$file")
+    ((lines <= 40)) || fail 1 "scripts/cluster/$file: found $lines lines, expected at most 40: it is to be read and copied"
+done
+
 scratch=$(mktemp -d)
 # Ray's cluster has a password of this run alone, sends nothing to Ray's makers, and leaves nothing in the home folder.
 RAY_AUTH_TOKEN=$(od -An -N32 -tx1 /dev/urandom | tr -d ' \n')
-export RAY_ADDRESS=local RAY_USAGE_STATS_ENABLED=0 RAY_AUTH_TOKEN
+export RAY_ADDRESS=local RAY_USAGE_STATS_ENABLED=0 RAY_AUTH_TOKEN TMPDIR=$scratch/tmp RAY_TMPDIR=$scratch/tmp
+mkdir "$TMPDIR"
 daemons=()
 clean_up() {
     local code=$? daemon
@@ -85,11 +92,11 @@ make_program() {
 #!/usr/bin/env bash
 meet() {
     : >"$1/begun-\$1"
-    for ((tenths = 0; tenths < 600; tenths++)); do
+    for ((tenths = 0; tenths < 300; tenths++)); do
         [[ -e $1/begun-\$2 ]] && return
         sleep 0.1
     done
-    echo "shard \$2 did not begin within 60 s while shard \$1 ran: expected two workers" >&2
+    echo "shard \$2 did not begin within 30 s while shard \$1 ran: expected two workers" >&2
     exit 1
 }
 case " \$* " in
@@ -106,18 +113,22 @@ PROGRAM
 
 # One node with two processors. Nothing but this machine reaches it, so nobody has to say who he is.
 start_slurm() {
-    local folder=$scratch/slurm-node name
+    local folder=$scratch/slurm-node name ports
     for name in sbatch slurmctld slurmd; do
         command -v "$name" >/dev/null || fail 2 "found no $name; \`scripts/setup.sh --cluster\` installs Slurm"
     done
     name=$(hostname -s)
+    # Two that are free, so that two of these runs do not meet.
+    read -ra ports < <(python3 -c 'import socket
+sockets = [socket.create_server(("127.0.0.1", 0)) for _ in range(2)]
+print(*(each.getsockname()[1] for each in sockets))')
     mkdir -p "$folder/state" "$folder/spool"
     export SLURM_CONF=$folder/slurm.conf
     cat >"$SLURM_CONF" <<CONF
 ClusterName=check
 SlurmctldHost=$name(127.0.0.1)
-SlurmctldPort=16817
-SlurmdPort=16818
+SlurmctldPort=${ports[0]}
+SlurmdPort=${ports[1]}
 CommunicationParameters=NoCtldInAddrAny,NoInAddrAny
 AuthType=auth/none
 CredType=cred/none
@@ -189,6 +200,12 @@ one_shard picture "${PICTURE[@]}"
 one_shard other "${PICTURE[@]}" --seed 2
 if cmp --silent picture other; then fail 1 "pictures of two seeds are equal, so the comparison says nothing"; fi
 
+# Ends the check of an engine, after what the engine said.
+fail_with_log() {
+    cat "$engine.log" "$engine"/*/*.log >&2 2>/dev/null || true
+    fail 1 "$engine: $*"
+}
+
 for engine in "${engines[@]}"; do
     if [[ $engine == slurm ]]; then start_slurm; fi
     version=$(version_of "$engine") || fail 2 "found no $engine; \`scripts/setup.sh --cluster\` installs it"
@@ -199,16 +216,16 @@ for engine in "${engines[@]}"; do
     case $engine in slurm | hyperqueue) retries=0 ;; *) retries=1 ;; esac
     code=0
     PATH=$scratch/$engine/bin:$PATH run_on "$engine" 7 "$engine/box" "${PICTURE[@]}" >"$engine.log" 2>&1 || code=$?
-    [[ -e $engine/killed ]] || { cat "$engine.log" >&2; fail 1 "$engine: no shard was killed"; }
+    [[ -e $engine/killed ]] || fail_with_log "no shard was killed"
     if ((retries)); then
-        ((code == 0)) || { cat "$engine.log" >&2; fail 1 "$engine: found exit code $code, expected that the killed shard runs again"; }
+        ((code == 0)) || fail_with_log "found exit code $code, expected that the killed shard runs again"
         again="ran again"
     else
-        ((code == 1)) || { cat "$engine.log" >&2; fail 1 "$engine: found exit code $code with a killed shard, expected 1"; }
-        [[ ! -e $engine/box/merged.state ]] || fail 1 "$engine: a shard was killed, and there is a merged.state"
+        ((code == 1)) || fail_with_log "found exit code $code with a killed shard, expected 1"
+        [[ ! -e $engine/box/merged.state ]] || fail_with_log "found a merged.state although a shard was killed"
         PATH=$scratch/$engine/bin:$PATH run_on "$engine" 7 "$engine/box" "${PICTURE[@]}" >"$engine.log" 2>&1 ||
-            { cat "$engine.log" >&2; fail 1 "$engine: the second run after a killed shard failed"; }
-        again="failed it, and it went on when it ran again"
+            fail_with_log "the second run, after a killed shard, failed"
+        again="ended the run, and a second run went on"
     fi
     must_equal "$engine/box" picture
 
@@ -217,10 +234,10 @@ for engine in "${engines[@]}"; do
     "$real" "${PICTURE[@]}" --seed 2 --shard 3/7 --state "$engine/planted/3-of-7.state" >/dev/null
     code=0
     PHOTONCUBE=$real run_on "$engine" 7 "$engine/planted" "${PICTURE[@]}" >"$engine.log" 2>&1 || code=$?
-    ((code == 1)) || { cat "$engine.log" >&2; fail 1 "$engine: a shard with the state of other work: found exit code $code, expected 1"; }
+    ((code == 1)) || fail_with_log "found exit code $code with a state of other work, expected 1"
     grep -qs "the state is that of other work" "$engine.log" "$engine"/planted/*.log ||
-        { cat "$engine.log" >&2; fail 1 "$engine: the run failed, and not because of the planted state, see above"; }
-    [[ ! -e $engine/planted/merged.state ]] || fail 1 "$engine: a shard failed, and there is a merged.state"
+        fail_with_log "the run failed, and not because of the planted state"
+    [[ ! -e $engine/planted/merged.state ]] || fail_with_log "found a merged.state although a shard failed"
 
     printf 'cluster: %s: 7 shards of progressive, two at a time, make the file of one shard (%d bytes);\n' \
         "$version" "$(stat -c %s "$engine/box/merged.state")"
@@ -236,7 +253,7 @@ for engine in "${engines[@]}"; do
         (
             [[ -z $server ]] || export HQ_SERVER_DIR=$server
             PHOTONCUBE=$real run_on "$engine" 3 "$engine/sweep" "${SWEEP[@]}" >"$engine.log" 2>&1
-        ) || { cat "$engine.log" >&2; fail 1 "$engine: the sweep failed, see above"; }
+        ) || fail_with_log "the sweep failed"
         must_equal "$engine/sweep" sweep
         printf 'cluster: %s: 3 shards of report --sweep, %d rows, make the file of one shard\n' \
             "$version" $(($(wc -l <"$engine/sweep/merged.state") - 1))
