@@ -59,8 +59,8 @@ Changes nothing that is there already.
   --where-core the same for the programs that check cores
   --book       install only mdBook; this needs Python 3 with venv, and no Debian
   --where-book the same as --where for mdBook
-  --cluster    install only the engines of scripts/cluster/: Debian's GNU parallel and Slurm (25 MB; no service of them is
-               started), and from PyPI Ray, Snakemake and HyperQueue (SIZE; scripts/requirements-cluster.txt has the versions)
+  --cluster    install only the engines of scripts/cluster/: Debian's GNU parallel and Slurm, and from PyPI Ray, Snakemake
+               and HyperQueue (about 410 MB; scripts/requirements-cluster.txt has the versions)
   --where-cluster the same as --where for the engines from PyPI
   --emulators  install only what scripts/instructions.sh needs: Debian's qemu-user and the C compiler and library for
                64-bit Arm (about 250 MB), and Rust's library for it

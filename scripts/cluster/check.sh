@@ -42,7 +42,7 @@ done
 real=${PHOTONCUBE:-${CARGO_TARGET_DIR:-$root/target}/debug/photoncube}
 [[ -x $real ]] || fail 2 "found no program $real; build it with cargo, or set PHOTONCUBE"
 real=$(realpath -- "$real")
-unset PHOTONCUBE RAY_ADDRESS HQ_SERVER_DIR SLURM_CONF
+unset PHOTONCUBE RAYON_NUM_THREADS RAY_ADDRESS HQ_SERVER_DIR SLURM_CONF
 PATH=$("$root/scripts/setup.sh" --where-cluster):$PATH
 (($(nproc) >= 2)) || fail 2 "found 1 core, expected two for two workers"
 for file in parallel.sh slurm.sh Snakefile on_ray.py on_hyperqueue.py; do
@@ -91,6 +91,10 @@ make_program() {
     cat >"$1/bin/photoncube" <<PROGRAM
 #!/usr/bin/env bash
 meet() {
+    if [[ \${RAYON_NUM_THREADS:-} != 1 ]]; then
+        echo "found RAYON_NUM_THREADS=\${RAYON_NUM_THREADS:-}, expected 1: there is a shard for each core" >&2
+        exit 1
+    fi
     : >"$1/begun-\$1"
     for ((tenths = 0; tenths < 300; tenths++)); do
         [[ -e $1/begun-\$2 ]] && return

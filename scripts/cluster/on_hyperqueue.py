@@ -28,7 +28,7 @@ os.makedirs(folder, exist_ok=True)
 names, job = [f"{folder}/{i}-of-{shards}" for i in range(1, shards + 1)], hq.Job(default_workdir=os.getcwd())
 for shard, name in enumerate(names, 1):
     job.program([program, *sys.argv[3:], "--shard", f"{shard}/{shards}", "--state", f"{name}.state"],
-                env=dict(os.environ), stdout=f"{name}.log", stderr=f"{name}.log", name=f"shard {shard}")
+                env={"RAYON_NUM_THREADS": "1", **os.environ}, stdout=f"{name}.log", stderr=f"{name}.log", name=f"shard {shard}")
 try:
     local = hq.LocalCluster() if "HQ_SERVER_DIR" not in os.environ else None
     for _ in range(max(2, os.cpu_count() or 1) if local else 0):

@@ -26,10 +26,11 @@ if len(sys.argv) < 4 or not sys.argv[1].isdecimal() or int(sys.argv[1]) < 1:
 program, shards, folder = os.environ.get("PHOTONCUBE", "photoncube"), int(sys.argv[1]), os.path.abspath(sys.argv[2])
 states = [f"{folder}/{shard}-of-{shards}.state" for shard in range(1, shards + 1)]
 os.makedirs(folder, exist_ok=True)
+environment = {"RAYON_NUM_THREADS": "1", **os.environ}
 run = ray.remote(max_retries=2, retry_exceptions=True)(subprocess.check_call)
 try:
     ray.init(logging_level="warning")
-    ray.get([run.remote([program, *sys.argv[3:], "--shard", f"{shard}/{shards}", "--state", state], cwd=os.getcwd())
+    ray.get([run.remote([program, *sys.argv[3:], "--shard", f"{shard}/{shards}", "--state", state], cwd=os.getcwd(), env=environment)
              for shard, state in enumerate(states, 1)])
     subprocess.check_call([program, "merge", *states, "-o", f"{folder}/merged.state"])
 except (ray.exceptions.RayError, subprocess.CalledProcessError, OSError) as error:

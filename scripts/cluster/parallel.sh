@@ -25,6 +25,6 @@ shift 2
 mkdir -p -- "$folder"
 
 seq "$shards" | parallel --quote --retries 3 --halt soon,fail=1 \
-    "$program" "$@" --shard "{}/$shards" --state "$folder/{}-of-$shards.state" ||
+    env RAYON_NUM_THREADS="${RAYON_NUM_THREADS:-1}" "$program" "$@" --shard "{}/$shards" --state "$folder/{}-of-$shards.state" ||
     fail 1 "a shard failed, see above; the same command goes on from the state files in $folder"
 "$program" merge "$folder"/*-of-"$shards".state -o "$folder/merged.state" || fail 1 "the merge failed, see above"

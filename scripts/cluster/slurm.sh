@@ -24,15 +24,16 @@ fail() {
 program=${PHOTONCUBE:-photoncube} shards=$1 folder=$2 shard=${SLURM_ARRAY_TASK_ID:-}
 shift 2
 # This very script is the job of each shard.
-[[ -z $shard ]] || exec "$program" "$@" --shard "$shard/$shards" --state "$folder/$shard-of-$shards.state"
+[[ -z $shard ]] || exec env RAYON_NUM_THREADS="${RAYON_NUM_THREADS:-${SLURM_CPUS_PER_TASK:-1}}" \
+    "$program" "$@" --shard "$shard/$shards" --state "$folder/$shard-of-$shards.state"
 command -v sbatch >/dev/null || fail 2 "found no sbatch on the PATH; \`scripts/setup.sh --cluster\` installs Slurm on Debian"
 mkdir -p -- "$folder"
 
 array=$(sbatch --parsable --array="1-$shards" --output="$folder/%a-of-$shards.log" "$0" "$shards" "$folder" "$@") ||
     fail 1 "sbatch did not take the shards, see above"
-words=$(printf '%q merge %q/*-of-%q.state -o %q' "$program" "$folder" "$shards" "$folder/merged.state")
-merge=$(sbatch --parsable --wait --dependency="afterok:${array%%;*}" --kill-on-invalid-dep=yes \
-    --output="$folder/merge.log" --wrap="$words") || true
+merge=$(printf '%q merge %q/*-of-%q.state -o %q' "$program" "$folder" "$shards" "$folder/merged.state")
+job=$(sbatch --parsable --wait --dependency="afterok:${array%%;*}" --kill-on-invalid-dep=yes \
+    --output="$folder/merge.log" --wrap="$merge") || true
 # sbatch ends with 0 when the job for which it waits is cancelled, so its state counts.
-[[ $(scontrol show job "${merge%%;*}") == *JobState=COMPLETED* ]] ||
+[[ $(scontrol show job "${job%%;*}") == *JobState=COMPLETED* ]] ||
     fail 1 "the shards, job $array, or their merge failed: see $folder/*.log; the same command goes on from the state files"
