@@ -32,10 +32,16 @@ readonly CORE_REQUIREMENTS
 # mdBook, which builds the book. From crates.io it takes minutes to compile, and its licence is not one that the crates may have.
 BOOK_REQUIREMENTS=${CORE_REQUIREMENTS%/*}/requirements-book.txt
 readonly BOOK_REQUIREMENTS
+# The engines of scripts/cluster/: Debian's packages, and PyPI's in an environment of their own.
+readonly CLUSTER=(parallel=20221122+ds-2 slurm-client=22.05.8-4+deb12u3 slurmctld=22.05.8-4+deb12u3
+    slurmd=22.05.8-4+deb12u3)
+CLUSTER_REQUIREMENTS=${CORE_REQUIREMENTS%/*}/requirements-cluster.txt
+readonly CLUSTER_REQUIREMENTS
 
 usage() {
     cat <<USAGE
-Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-core] [--book] [--where-book] [--emulators] [--help]
+Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-core] [--book] [--where-book] [--cluster]
+                        [--where-cluster] [--emulators] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
@@ -53,6 +59,9 @@ Changes nothing that is there already.
   --where-core the same for the programs that check cores
   --book       install only mdBook; this needs Python 3 with venv, and no Debian
   --where-book the same as --where for mdBook
+  --cluster    install only the engines of scripts/cluster/: Debian's GNU parallel and Slurm, and from PyPI Ray, Snakemake
+               and HyperQueue (about 410 MB; scripts/requirements-cluster.txt has the versions)
+  --where-cluster the same as --where for the engines from PyPI
   --emulators  install only what scripts/instructions.sh needs: Debian's qemu-user and the C compiler and library for
                64-bit Arm (about 250 MB), and Rust's library for it
   --ccache     also ccache, which shortens repeated Verilator builds
@@ -241,10 +250,17 @@ book_environment() {
     printf '%s\n' "$tools/book-${sum:0:12}"
 }
 
+cluster_environment() {
+    local tools sum
+    tools=$(tools_folder)
+    sum=$(grep -v '^#' "$CLUSTER_REQUIREMENTS" | sha256sum)
+    printf '%s\n' "$tools/cluster-${sum:0:12}"
+}
+
 # Prints where the programs of the environment $1 are.
 where() {
     local environment=$1
-    [[ -e $environment/complete ]] || fail "found no $environment; scripts/setup.sh installs it"
+    [[ -e $environment/complete ]] || fail "found no $environment; scripts/setup.sh${2:+ $2} installs it"
     printf '%s\n' "$environment/bin"
 }
 
@@ -321,6 +337,33 @@ setup_book() {
     : >"$environment/complete"
 }
 
+setup_cluster() {
+    local package version installed wanted=() environment
+    for package in "${CLUSTER[@]}"; do
+        version=${package#*=} package=${package%%=*}
+        installed=$(installed_version "$package")
+        if any_version; then
+            [[ -n $installed ]] || wanted+=("$package")
+        elif [[ -z $installed ]] || dpkg --compare-versions "$installed" lt "$version"; then
+            wanted+=("$package=$version")
+        elif [[ $installed != "$version" ]]; then
+            fail "$package: found version $installed, expected $version;" \
+                "install that one, or set PHOTONCUBE_ANY_TOOL_VERSION=1"
+        fi
+    done
+    ((${#wanted[@]} == 0)) || apt_install "${wanted[@]}"
+    environment=$(cluster_environment)
+    [[ -e $environment/complete ]] && return 0
+    new_environment "$environment"
+    note "installing Ray, Snakemake and HyperQueue in $environment"
+    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps \
+        -r "$CLUSTER_REQUIREMENTS" >&2 || fail "PyPI did not deliver what $CLUSTER_REQUIREMENTS lists"
+    "$environment/bin/python" -m pip check --disable-pip-version-check >/dev/null ||
+        fail "$CLUSTER_REQUIREMENTS does not list all that its packages need"
+    "$environment/bin/python" -c 'import hyperqueue, ray, snakemake' || fail "an engine from PyPI does not start"
+    : >"$environment/complete"
+}
+
 # Any version does: the emulators run tests, and give no figures. AVX2 needs QEMU 7.2, which is Debian 12's.
 setup_emulators() {
     local wanted=()
@@ -333,7 +376,7 @@ setup_emulators() {
         rustup target add aarch64-unknown-linux-gnu
 }
 
-synthesis=0 asic=0 ccache=0 book=0 emulators=0 where=
+synthesis=0 asic=0 ccache=0 book=0 cluster=0 emulators=0 where=
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
@@ -342,25 +385,31 @@ for argument in "$@"; do
         --where) where=$(python_environment) ;;
         --where-core) where=$(core_environment) ;;
         --book) book=1 ;;
+        --cluster) cluster=1 ;;
         --emulators) emulators=1 ;;
         --where-book) where=$(book_environment) ;;
+        --where-cluster) where=$(cluster_environment) where_option=--cluster ;;
         -h | --help)
             usage
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book, --emulators or --help"
+            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book, --cluster, --where-cluster, --emulators or --help"
             exit 2
             ;;
     esac
 done
 
 if [[ -n $where ]]; then
-    where "$where"
+    where "$where" "${where_option:-}"
     exit
 fi
 if ((book)); then
     setup_book
+    exit
+fi
+if ((cluster)); then
+    setup_cluster
     exit
 fi
 if ((emulators)); then

@@ -63,6 +63,7 @@ all_verilog() {
 }
 
 stage "set-up" scripts/setup.sh --asic --ccache
+stage "set-up of engines" scripts/setup.sh --cluster
 stage "format" cargo fmt --all --check
 stage "layers" scripts/check_layers.sh
 stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
@@ -85,6 +86,7 @@ first_stream() {
     stage "copies of registers" scripts/yosys/copies.sh
     stage "cores by standard tools" scripts/core/check.sh
     stage "board" scripts/board/check.sh
+    stage "engines of clusters" scripts/cluster/check.sh
 }
 second_stream() {
     stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*' -- --include-ignored
