@@ -1,8 +1,5 @@
 //! A campaign of a number of jobs, which can be shared out.
 
-use std::num::NonZero;
-use std::thread::available_parallelism;
-
 use anyhow::Result;
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::find_machine;
@@ -44,10 +41,9 @@ impl Campaign {
         let header = Header::new("verify campaign", self.settings(&pairs)?, Some(jobs), shard);
         let ledger = Ledger::open(self.shard.state.as_deref(), header)?;
         let to_do = ledger.to_do();
-        let workers = available_parallelism().map_or(1, NonZero::get);
         let bar = progress::bar("jobs", 0);
         let run = |number| self.job(NumberedJob::new(&pairs, self.seed, number, self.iterations));
-        let found = ledger.work(workers, &bar, run)?;
+        let found = ledger.work(rayon::current_num_threads(), &bar, run)?;
         let equal = || found.values().filter_map(Found::equal);
         let failures: Vec<_> = found.values().filter_map(Found::differs).cloned().collect();
         let report = Report {
