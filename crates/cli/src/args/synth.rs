@@ -91,6 +91,9 @@ pub struct SynthArgs {
     /// The transitions of each net in a clock cycle
     #[arg(long, requires = "asic", default_value_t = asic::ACTIVITY, value_name = "X", value_parser = activity)]
     pub activity: f64,
+    /// Also write the netlist of each machine to DIR/M.v
+    #[arg(long, requires = "asic", value_name = "DIR")]
+    pub netlists: Option<PathBuf>,
     #[command(flatten)]
     pub wide: WideArgs,
 }

@@ -25,8 +25,9 @@ pub use timing::Sta;
 const CLOCK: &str = "clock";
 /// The library in the folder of a design.
 const LIBERTY: &str = "library.lib";
-/// The mapped netlist there. Its ports are single bits, since OpenSTA reads no concatenations.
-const NETLIST: &str = "mapped.v";
+/// The mapped netlist, which [`measure`] leaves in the folder of a design. Its ports are single bits, since OpenSTA reads no
+/// concatenations.
+pub const NETLIST: &str = "mapped.v";
 /// The mapped netlist with the ports of the design.
 const WITH_PORTS: &str = "mapped_with_ports.v";
 /// The options with which Yosys writes cells alone.
