@@ -9,6 +9,8 @@ readonly QFLOW=/usr/lib/qflow
 readonly CELLS_SHA256=b471e4d2fb03e538548b5949d99036e47cb4aa7a16fd3129c3359c3a3e2d45f4
 readonly CELLS_FROM="tech/osu018/osu018_stdcells.gds2 of https://github.com/RTimothyEdwards/qflow at commit 52ecda1"
 
+# What graywolf begins with in qflow.
+readonly QFLOW_SEED=12345
 # The most placements that are routed.
 readonly MOST_TRIES=6
 
@@ -19,13 +21,13 @@ Usage: scripts/asic/layout.sh [MACHINE] [--cells FILE] [--density X] [--seed N] 
 Lays out MACHINE (default: fit-ring, the smallest) in the cells osu018: the netlist of \`photoncube synth --asic\`, placed by
 graywolf, routed by qrouter, and made into GDS by magic. Checks the GDS: design rules by magic, and its transistors against the
 netlist by netgen; both checks must also find faults that the script plants. Computes the clock with the wires by OpenSTA, and draws
-a picture. \`fit-ring\` takes a quarter of an hour on one core. Installs what is missing by \`scripts/setup.sh --layout\`.
+a picture. \`fit-ring\` takes a quarter of an hour for each seed, on one core. Installs what is missing by \`scripts/setup.sh --layout\`.
 
   --cells FILE  the geometry of the cells: $CELLS_FROM;
                 it is kept, so that later calls need no --cells
   --density X   the part of the rows that cells take, the rest is room for wires (default: 0.7)
-  --seed N      what graywolf begins with (default: 12345, which is qflow's); the next seeds follow where qrouter does not
-                connect all
+  --seed N      what graywolf begins with (default: $QFLOW_SEED, which is qflow's); the next seeds follow where a layout
+                is not clean
   --out DIR     where the layout and all logs go (default: out/layout-MACHINE)
   --record      also write docs/measured/layout-MACHINE.json, its logs there, and docs/layout-MACHINE.webp
   --help        this text
@@ -44,7 +46,7 @@ misused() {
     exit 2
 }
 
-machine='' cells='' density=0.7 seed=12345 out='' record=0
+machine='' cells='' density=0.7 seed=$QFLOW_SEED out='' record=0
 while (($# > 0)); do
     case $1 in
         --cells | --density | --seed | --out)
@@ -96,10 +98,12 @@ fi
 name=${machine//-/_}
 flow=$out/flow
 rm -rf -- "$flow"
+# What an earlier call found is not this one's.
+rm -f -- "$out"/{layout.json,layout.webp,drc.txt,lvs.txt}
 mkdir -p -- "$flow"/{synthesis,log,source}
 export NAME=$name LEF=$flow/cells.lef CELLS=$kept LIBERTY=$TECH/osu018_stdcells.lib
 
-steps=7 step=0
+steps=6 step=0
 begin() {
     step=$((step + 1))
     printf 'layout: %d of %d: %s\n' "$step" "$steps" "$*" >&2
@@ -118,9 +122,8 @@ begin "netlist of $machine"
 "$program" synth --asic --machine "$machine" --netlists "$out" --json >"$out/synth.json" || exit
 netlist() { python3 "$here/netlist.py" "$out/$machine.v" "$TECH/osu018_stdcells.sp" "$name" "$flow/synthesis" "$@" >"$out/netlist.json"; }
 
-# What qflow's scripts read. A wire has two edges, of which qrouter 1.4.71 counts one, so their capacitance is doubled here.
-awk '$1 == "EDGECAPACITANCE" { $2 = 2 * $2; edges++ } { print } END { exit edges == 0 }' "$TECH/osu018_stdcells.lef" >"$LEF" ||
-    fail "$TECH/osu018_stdcells.lef: found no EDGECAPACITANCE"
+# What qflow's scripts read.
+python3 "$here/lef.py" "$TECH/osu018_stdcells.lef" "$LEF"
 cat >"$flow/qflow_vars.sh" <<VARS
 set projectpath=$flow
 set techdir=$TECH
@@ -139,42 +142,53 @@ set vddnet=vdd
 set gndnet=gnd
 VARS
 # Without qrouter's third stage, which routes every net anew: an hour for few shorter wires.
-route="qrouter::standard_route ${name}_route.def false true"
+readonly ROUTE="qrouter::standard_route ${name}_route.def false true"
+# Places the cells from the seed $1, with the log $2.
 place() {
-    mkdir -p -- "$flow/layout"
-    sed "s/^\*random.seed.*/*random.seed : $seed/" "$TECH/osu018.par" >"$flow/layout/$name.par"
-    printf '%s\nquit\n' "$route" >"$flow/layout/$name.cfg2"
+    rm -rf -- "${flow:?}/layout"
+    mkdir -- "$flow/layout"
+    sed "s/^\*random.seed.*/*random.seed : $1/" "$TECH/osu018.par" >"$flow/layout/$name.par"
+    printf '%s\nquit\n' "$ROUTE" >"$flow/layout/$name.cfg2"
     : >"$flow/log/synth.log"
-    logged "$1" "$QFLOW/scripts/placement.sh" -k -d "$flow" "$name"
-    [[ -s $flow/layout/$name.def ]] || fail "graywolf left no placement; $out/$1 says why"
+    logged "$2" "$QFLOW/scripts/placement.sh" -k -d "$flow" "$name"
+    [[ -s $flow/layout/$name.def ]] || fail "graywolf left no placement; $out/$2 says why"
+}
+# Whether qrouter connects all nets.
+route() {
+    "$QFLOW/scripts/router.sh" "$flow" "$name" >"$out/route.log" 2>&1 &&
+        grep -q 'Final: No failed routes' "$flow/log/route.log" && python3 "$here/loose.py" "$flow/layout/$name.def" >"$out/loose.log"
+}
+# Makes the layout and checks its design rules, as it is and with a planted sliver.
+make_layout() {
+    magic_does layout layout.log
+    magic_does gds gds.log
+    for gds in "$name" "${name}_sliver"; do
+        [[ -s $flow/layout/$gds.gds ]] || fail "magic left no $gds.gds; $out/gds.log says why"
+    done
+    grep -qx 'DRC errors: 0' "$flow/layout/drc.txt"
 }
 
 begin "placement without a clock tree, which shows what registers are near each other (3 minutes)"
 netlist --no-clock-tree
-place place-near.log
+place "$QFLOW_SEED" place-near.log
 mv "$flow/layout/${name}_unroute.def" "$flow/near.def"
-begin "placement and routing (8 minutes), again from another seed where a net is not routed"
+begin "placement, routing, and design rules, as it is and with a planted sliver of metal (10 minutes for each seed)"
 netlist --near "$flow/near.def"
-tries=0
-until
-    rm -rf -- "${flow:?}/layout"
-    place place.log
-    "$QFLOW/scripts/router.sh" "$flow" "$name" >"$out/route.log" 2>&1 &&
-        grep -q 'Final: No failed routes' "$flow/log/route.log" && python3 "$here/loose.py" "$flow/layout/$name.def" >"$out/loose.log"
-do
-    tries=$((tries + 1))
-    ((tries < MOST_TRIES)) || fail "found no routes of all nets with the seeds up to $seed; $out/route.log and $out/loose.log say why;" \
-        "a lower --density leaves more room"
-    printf 'layout: seed %d leaves nets open\n' "$seed" >&2
+last=$((seed + MOST_TRIES))
+while true; do
+    place "$seed" place.log
+    if ! route; then
+        printf 'layout: seed %d: qrouter leaves nets open\n' "$seed" >&2
+    elif ! make_layout; then
+        printf 'layout: seed %d: %s against the design rules\n' "$seed" "$(grep '^DRC errors:' "$flow/layout/drc.txt")" >&2
+    else
+        break
+    fi
     seed=$((seed + 1))
+    ((seed < last)) || fail "found no clean layout with the seeds before $seed; $out/route.log, $out/loose.log and" \
+        "$flow/layout/drc.txt say why; a lower --density leaves more room"
 done
 
-begin "layout, and the design rules, as it is and with a planted sliver of metal"
-magic_does layout layout.log
-magic_does gds gds.log
-for gds in "$name" "${name}_sliver"; do
-    [[ -s $flow/layout/$gds.gds ]] || fail "magic left no $gds.gds; $out/gds.log says why"
-done
 begin "transistors of the GDS, compared with the netlist: as it is, with the sliver, and with two outputs exchanged in the netlist"
 extract() {
     export FILE=$1

@@ -68,7 +68,7 @@ class Tree:
             elif word == "ERROR":
                 # A piece of wire that ends nowhere.
                 self.stumps += 1
-            elif word != ",":
+            elif word != "," and pin(word) != self.driver:
                 self.readers[pin(word)] = at[-1]
 
     def spef(self):

@@ -14,7 +14,7 @@ use crate::output;
 use crate::synth::clock::{Clock, clocks};
 use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, PlaceSetting, Row};
 use crate::synth::plan::{DeviceUse, Plan};
-use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, asic, tables};
+use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, asic, layout, tables};
 
 #[derive(Serialize)]
 struct Report {
@@ -125,6 +125,7 @@ fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
 fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
     let mut stale = figures::faults(&args.out, subjects, args.machines.is_empty())?;
     stale.extend(asic::faults(&args.out, subjects)?);
+    stale.extend(layout::faults(&args.out, subjects)?);
     let report = CheckReport {
         machines: subjects
             .iter()
