@@ -16,6 +16,10 @@ python3    python3    -            -
 
 # The timing analyser and the library of `synth --asic`. The library is data, so no program stands for it.
 readonly ASIC=(opensta=0~20191111gitc018cb2+dfsg-1 qflow-tech-osu018=1.3.17+dfsg.1-3)
+# What scripts/asic/layout.sh places, routes and checks with, beside those of ASIC; and from PyPI, what reads its GDS and draws it.
+readonly LAYOUT=(qflow=1.3.17+dfsg.1-3+b1 graywolf=0.1.6-4+b2 qrouter=1.4.71-2 magic=8.3.105+ds.1-1.1 netgen-lvs=1.5.133-1.2)
+readonly KLAYOUT=0.30.12
+readonly PILLOW=13.0.0
 
 # From PyPI. The figures of area and speed, the proofs and the netlists come from the first two, not from the
 # distribution's: they change results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
@@ -41,7 +45,7 @@ readonly CLUSTER_REQUIREMENTS
 usage() {
     cat <<USAGE
 Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-core] [--book] [--where-book] [--cluster]
-                        [--where-cluster] [--emulators] [--help]
+                        [--where-cluster] [--emulators] [--layout] [--where-layout] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
@@ -64,6 +68,10 @@ Changes nothing that is there already.
   --where-cluster the same as --where for the engines from PyPI
   --emulators  install only what scripts/instructions.sh needs: Debian's qemu-user and the C compiler and library for
                64-bit Arm (about 250 MB), and Rust's library for it
+  --layout     install only what scripts/asic/layout.sh needs: what --asic installs, qflow, graywolf, qrouter, magic and netgen
+               (Debian packages, about 20 MB), and in an environment of their own KLayout $KLAYOUT and Pillow $PILLOW from
+               PyPI (about 150 MB)
+  --where-layout  the same as --where for KLayout
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
@@ -169,6 +177,15 @@ apt_install() {
     fail "apt-get could not install: $*"
 }
 
+# Those of the packages `name=version` that are not installed, one on a line.
+missing_packages() {
+    local package
+    for package in "$@"; do
+        [[ -n $(installed_version "${package%%=*}") ]] && continue
+        if any_version; then printf '%s\n' "${package%%=*}"; else printf '%s\n' "$package"; fi
+    done
+}
+
 setup_packages() {
     local program package version says installed wanted=()
     while read -r program package version says; do
@@ -198,10 +215,7 @@ setup_packages() {
         wanted+=(ccache)
     fi
     if ((asic)); then
-        for package in "${ASIC[@]}"; do
-            [[ -n $(installed_version "${package%%=*}") ]] && continue
-            if any_version; then wanted+=("${package%%=*}"); else wanted+=("$package"); fi
-        done
+        mapfile -t -O "${#wanted[@]}" wanted < <(missing_packages "${ASIC[@]}")
     fi
     ((${#wanted[@]} == 0)) && return 0
     apt_install "${wanted[@]}"
@@ -256,6 +270,7 @@ cluster_environment() {
     sum=$(grep -v '^#' "$CLUSTER_REQUIREMENTS" | sha256sum)
     printf '%s\n' "$tools/cluster-${sum:0:12}"
 }
+layout_environment() { printf '%s\n' "$(tools_folder)/layout-klayout-$KLAYOUT-pillow-$PILLOW"; }
 
 # Prints where the programs of the environment $1 are.
 where() {
@@ -376,7 +391,26 @@ setup_emulators() {
         rustup target add aarch64-unknown-linux-gnu
 }
 
-synthesis=0 asic=0 ccache=0 book=0 cluster=0 emulators=0 where=
+# The layout's figures change with the versions, so each package is held to its own.
+setup_layout() {
+    local package found environment wanted=()
+    mapfile -t wanted < <(missing_packages "${ASIC[@]}" "${LAYOUT[@]}")
+    ((${#wanted[@]} == 0)) || apt_install "${wanted[@]}"
+    for package in "${ASIC[@]}" "${LAYOUT[@]}"; do
+        found=$(installed_version "${package%%=*}")
+        any_version || [[ $found == "${package#*=}" ]] || fail "${package%%=*}: found version ${found:-none}, expected" \
+            "${package#*=}; install that one, or set PHOTONCUBE_ANY_TOOL_VERSION=1"
+    done
+    environment=$(layout_environment)
+    [[ -e $environment/complete ]] && return 0
+    new_environment "$environment"
+    note "installing KLayout and Pillow in $environment"
+    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check --only-binary :all: \
+        "klayout==$KLAYOUT" "pillow==$PILLOW" >&2 || fail "PyPI did not deliver KLayout and Pillow"
+    : >"$environment/complete"
+}
+
+synthesis=0 asic=0 layout=0 ccache=0 book=0 cluster=0 emulators=0 where=
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
@@ -387,6 +421,8 @@ for argument in "$@"; do
         --book) book=1 ;;
         --cluster) cluster=1 ;;
         --emulators) emulators=1 ;;
+        --layout) layout=1 ;;
+        --where-layout) where=$(layout_environment) ;;
         --where-book) where=$(book_environment) ;;
         --where-cluster) where=$(cluster_environment) where_option=--cluster ;;
         -h | --help)
@@ -394,7 +430,7 @@ for argument in "$@"; do
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book, --cluster, --where-cluster, --emulators or --help"
+            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book, --cluster, --where-cluster, --emulators, --layout, --where-layout or --help"
             exit 2
             ;;
     esac
@@ -414,6 +450,10 @@ if ((cluster)); then
 fi
 if ((emulators)); then
     setup_emulators
+    exit
+fi
+if ((layout)); then
+    setup_layout
     exit
 fi
 setup_packages

@@ -30,7 +30,13 @@ fn edit(folder: &Path, name: &str, change: impl FnOnce(&mut Value)) {
 }
 
 fn copy_committed(folder: &Path) {
-    for name in ["synthesis.json", "place.json", "asic-osu018_stdcells.json"] {
+    let names = [
+        "synthesis.json",
+        "place.json",
+        "asic-osu018_stdcells.json",
+        "layout-fit-ring.json",
+    ];
+    for name in names {
         fs::copy(Path::new(COMMITTED).join(name), folder.join(name)).unwrap();
     }
 }
@@ -66,6 +72,13 @@ fn figures_of_other_verilog_are_named_and_end_1() {
     });
     let message = error(&check("paper"), 1);
     let expected = "asic-osu018_stdcells.json: paper was measured with other Verilog";
+    assert!(message.contains(expected), "{message}");
+    synth(&check("fit-ring")).assert().success();
+    edit(folder.path(), "layout-fit-ring.json", |file| {
+        file["verilog_sha256"] = "00".into();
+    });
+    let message = error(&check("fit-ring"), 1);
+    let expected = "layout-fit-ring.json: fit-ring was laid out with other Verilog; `scripts/asic/layout.sh fit-ring";
     assert!(message.contains(expected), "{message}");
     synth(&check("local")).assert().success();
 }

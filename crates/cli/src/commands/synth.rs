@@ -16,7 +16,7 @@ use crate::synth::clock::{Clock, clocks};
 use crate::synth::figures::{self, AreaRow, COMMAND, PlaceRow, Row};
 use crate::synth::plan::{DeviceUse, Measured, Plan};
 use crate::synth::writer::Writers;
-use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, asic, tables};
+use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, asic, layout, tables};
 use crate::{output, progress};
 
 #[derive(Serialize)]
@@ -123,6 +123,7 @@ fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
 fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
     let mut stale = figures::faults(&args.out, subjects, args.machines.is_empty())?;
     stale.extend(asic::faults(&args.out, subjects)?);
+    stale.extend(layout::faults(&args.out, subjects)?);
     let report = CheckReport {
         machines: subjects
             .iter()

@@ -8,18 +8,21 @@ use std::path::Path;
 use std::thread::available_parallelism;
 
 use anyhow::{Context, Result, anyhow};
-use fpga_flow::asic::{CellFigures, Library, Sta, measure, measure_simulated, simulatable};
+use fpga_flow::asic::{
+    CellFigures, Library, NETLIST, Sta, measure, measure_simulated, simulatable,
+};
 use fpga_flow::{FlowError, ToolError, Tools, Yosys};
 use photoncube_spec::Machine;
 use photoncube_testbench::Tool;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use self::simulated::{Simulated, Workload};
 use super::{Subject, tables};
 use crate::args::SynthArgs;
-use crate::{output, progress, synth, table};
+use crate::{files, output, progress, synth, table};
 
 /// The library of Debian's package `qflow-tech-osu018`: 0.18 um, typical corner, 1.8 V.
 pub const LIBERTY: &str = "/usr/share/qflow/tech/osu018/osu018_stdcells.lib";
@@ -113,6 +116,10 @@ pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> R
             fs::create_dir(&folder)?;
             let row = flow.row(subject, &folder);
             let row = row.with_context(|| format!("machine {}", subject.name))?;
+            if let Some(netlists) = &args.netlists {
+                let netlist = fs::read(folder.join(NETLIST))?;
+                files::write(&netlists.join(format!("{}.v", subject.name)), &netlist)?;
+            }
             // A netlist of hundreds of engines takes hundreds of MB.
             fs::remove_dir_all(&folder)?;
             Ok(row)
@@ -189,13 +196,16 @@ fn rows(
     rows
 }
 
-/// The files of recorded measurements in a folder: `asic-LIBRARY.json`, each what `synth --asic --json` printed.
-fn recorded(folder: &Path) -> Result<Vec<(String, Report)>> {
+/// The files of recorded measurements: `asic-LIBRARY.json`, each what `synth --asic --json` printed.
+const PREFIX: &str = "asic-";
+
+/// What is recorded in a folder, in files PREFIX*.json.
+pub fn recorded<T: DeserializeOwned>(folder: &Path, prefix: &str) -> Result<Vec<(String, T)>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         let name = path.file_name().and_then(|name| name.to_str());
-        let Some(name) = name.filter(|name| name.starts_with("asic-") && name.ends_with(".json"))
+        let Some(name) = name.filter(|name| name.starts_with(prefix) && name.ends_with(".json"))
         else {
             continue;
         };
@@ -210,7 +220,7 @@ fn recorded(folder: &Path) -> Result<Vec<(String, Report)>> {
 /// The recorded rows in a folder that are of other Verilog than the subjects'.
 pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
     let mut faults = Vec::new();
-    for (file, report) in recorded(folder)? {
+    for (file, report) in recorded::<Report>(folder, PREFIX)? {
         let is_of = |row: &AsicRow, subject: &Subject| row.machine == subject.name;
         let stale = report.machines.iter().filter(|row| {
             let subject = subjects.iter().find(|subject| is_of(row, subject));

@@ -29,8 +29,9 @@ pub use wrong_cell::WrongCell;
 const CLOCK: &str = "clock";
 /// The library in the folder of a design.
 const LIBERTY: &str = "library.lib";
-/// The mapped netlist there. Its ports are single bits, since OpenSTA reads no concatenations.
-const NETLIST: &str = "mapped.v";
+/// The mapped netlist, which [`measure`] leaves in the folder of a design. Its ports are single bits, since OpenSTA reads no
+/// concatenations.
+pub const NETLIST: &str = "mapped.v";
 /// The mapped netlist with the ports of the design, as JSON. Cells and nets have the names that they have in the others.
 const MAPPED: &str = "mapped.json";
 /// The mapped netlist with the ports of the design.

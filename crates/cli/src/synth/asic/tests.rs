@@ -16,7 +16,7 @@ const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs");
 #[test]
 fn the_page_has_the_recorded_tables() {
     let page = fs::read_to_string(format!("{ROOT}/asic.md")).unwrap();
-    let files = recorded(&Path::new(ROOT).join("measured")).unwrap();
+    let files = recorded::<Report>(&Path::new(ROOT).join("measured"), PREFIX).unwrap();
     assert!(!files.is_empty());
     for (file, report) in files {
         let tables = [
