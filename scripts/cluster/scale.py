@@ -13,6 +13,7 @@ import argparse
 import filecmp
 import json
 import os
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -105,11 +106,6 @@ def pass_costs(quick):
     return (of_photons - base) / (3 * photons), (of_pixels - base) / (3 * size * size)
 
 
-def median(values):
-    values = sorted(values)
-    return values[len(values) // 2]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=3, help="rounds of one worker and two, in turn")
@@ -129,10 +125,10 @@ def main():
                     sys.exit(f"{name}: the merged files of one worker and of two differ")
                 rounds.append((one, two))
                 print(f"{name}, round {number + 1}: {one[0] / two[0]:.2f}", file=sys.stderr)
-            ratio = median([one[0] / two[0] for one, two in rounds])
+            ratio = statistics.median([one[0] / two[0] for one, two in rounds])
             one, two = rounds[-1]
-            found[name] = (one, median([one[0] for one, _ in rounds]), one[3].stat().st_size)
-            rows.append(f"| `{name}` | {median([o[0] for o, _ in rounds]):.1f} | {median([t[0] for _, t in rounds]):.1f} "
+            found[name] = (one, statistics.median([one[0] for one, _ in rounds]), one[3].stat().st_size)
+            rows.append(f"| `{name}` | {statistics.median([o[0] for o, _ in rounds]):.1f} | {statistics.median([t[0] for _, t in rounds]):.1f} "
                         f"| {ratio:.2f} | {two[1]:.2f} |")
     print("# Two workers, and a thousand\n")
     print("Written by `scripts/cluster/scale.py`. [cluster.md](../cluster.md) says what shards are.\n")
