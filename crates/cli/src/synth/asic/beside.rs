@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use super::{AsicRow, ROOT, Report, recorded};
+use super::{AsicRow, PREFIX, ROOT, Report, recorded};
 use crate::table;
 
 /// The operations that a photon test needs in floating point: 3 subtractions, 1 multiplication, 2 fused multiply-adds, 1 comparison, and 4
@@ -158,7 +158,7 @@ fn beside(reports: &[(String, Report)]) -> String {
 #[test]
 fn the_page_has_the_machines_beside_others() {
     let page = fs::read_to_string(format!("{ROOT}/asic.md")).unwrap();
-    let reports = recorded(&Path::new(ROOT).join("measured")).unwrap();
+    let reports = recorded::<Report>(&Path::new(ROOT).join("measured"), PREFIX).unwrap();
     let table = beside(&reports);
     assert!(
         page.contains(&table),

@@ -37,7 +37,7 @@ fn the_page_has_the_recorded_tables() {
 #[test]
 fn every_recorded_key_is_documented() {
     let documented = fs::read_to_string(format!("{ROOT}/json.md")).unwrap();
-    for (file, report) in recorded(&Path::new(ROOT).join("measured")).unwrap() {
+    for (file, report) in recorded::<Report>(&Path::new(ROOT).join("measured"), PREFIX).unwrap() {
         let report = serde_json::to_value(report).unwrap();
         let row = &report["machines"][0];
         let objects = [&report, row, &row["simulated"]].map(|object| object.as_object().unwrap());
