@@ -62,7 +62,7 @@ def shards(work, of, folder):
 
 def works(quick):
     """The commands to measure, by name."""
-    jobs, iterations = ("4", "2000") if quick else ("16", "400000")
+    jobs, iterations = ("4", "2000") if quick else ("8", "200000")
     passes, size = ("4", "16x16") if quick else ("64", "256x256")
     photons, view = ("2000", "8x8") if quick else ("100000", "24x24")
     return {
