@@ -69,6 +69,12 @@ pub struct Subject {
     pub verilog_sha256: String,
 }
 
+/// Whether `verilog_sha256`, recorded for the machine `name`, is that of other Verilog than the subject's of this name.
+pub fn is_stale(subjects: &[Subject], name: &str, verilog_sha256: &str) -> bool {
+    let subject = subjects.iter().find(|subject| subject.name == name);
+    subject.is_some_and(|subject| subject.verilog_sha256 != verilog_sha256)
+}
+
 impl Subject {
     /// Emits the machine.
     pub fn of(machine: &'static Machine) -> Result<Self> {

@@ -20,7 +20,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use self::simulated::{Simulated, Workload};
-use super::{Subject, tables};
+use super::{Subject, is_stale, tables};
 use crate::args::SynthArgs;
 use crate::{files, output, progress, synth, table};
 
@@ -221,11 +221,8 @@ pub fn recorded<T: DeserializeOwned>(folder: &Path, prefix: &str) -> Result<Vec<
 pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
     let mut faults = Vec::new();
     for (file, report) in recorded::<Report>(folder, PREFIX)? {
-        let is_of = |row: &AsicRow, subject: &Subject| row.machine == subject.name;
-        let stale = report.machines.iter().filter(|row| {
-            let subject = subjects.iter().find(|subject| is_of(row, subject));
-            subject.is_some_and(|subject| subject.verilog_sha256 != row.verilog_sha256)
-        });
+        let rows = report.machines.iter();
+        let stale = rows.filter(|row| is_stale(subjects, &row.machine, &row.verilog_sha256));
         faults.extend(
             stale.map(|row| format!("{file}: {} was measured with other Verilog", row.machine)),
         );

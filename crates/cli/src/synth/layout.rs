@@ -5,8 +5,8 @@ use std::path::Path;
 use anyhow::Result;
 use serde::Deserialize;
 
-use super::Subject;
 use super::asic::recorded;
+use super::{Subject, is_stale};
 
 /// The files of recorded layouts: `layout-MACHINE.json`.
 const PREFIX: &str = "layout-";
@@ -21,11 +21,8 @@ struct Layout {
 /// The recorded layouts in a folder that are of other Verilog than the subjects'.
 pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
     let layouts = recorded::<Layout>(folder, PREFIX)?.into_iter();
-    let stale = layouts.filter(|(_, layout)| {
-        let mut subjects = subjects.iter();
-        let subject = subjects.find(|subject| subject.name == layout.machine);
-        subject.is_some_and(|subject| subject.verilog_sha256 != layout.verilog_sha256)
-    });
+    let stale =
+        layouts.filter(|(_, layout)| is_stale(subjects, &layout.machine, &layout.verilog_sha256));
     let said = stale.map(|(file, Layout { machine, .. })| {
         format!(
             "{file}: {machine} was laid out with other Verilog; `scripts/asic/layout.sh {machine} --record` \

@@ -107,13 +107,9 @@ fn check_version(found: &str) -> Result<()> {
 /// [`Power`] of the design, and the sum over the registers behind its inputs. OpenSTA's own `set_power_activity -pins` passes over
 /// outputs of cells, so the script calls what it calls.
 fn powers_script(top: &str) -> String {
+    let linked = linked(POWERED, top);
     format!(
-        "set_cmd_units -time ns -power W
-read_liberty {LIBERTY}
-read_verilog {POWERED}
-link_design {top}
-create_clock -name {CLOCK} -period {PERIOD_NS} [get_ports {CLOCK}]
-source {ACTIVITIES}
+        "{linked}source {ACTIVITIES}
 report_power -digits 9
 set internal 0.0
 set switching 0.0
@@ -129,15 +125,23 @@ puts \"{SOURCES} $internal $switching $leakage [expr {{$internal + $switching + 
     )
 }
 
-fn script(top: &str, library: &Library, activity: f64) -> String {
-    let register = &library.register().cell;
+/// The commands that read a netlist and give it its clock.
+fn linked(netlist: &str, top: &str) -> String {
     format!(
         "set_cmd_units -time ns -power W
 read_liberty {LIBERTY}
-read_verilog {NETLIST}
+read_verilog {netlist}
 link_design {top}
 create_clock -name {CLOCK} -period {PERIOD_NS} [get_ports {CLOCK}]
-foreach port [all_inputs] {{
+"
+    )
+}
+
+fn script(top: &str, library: &Library, activity: f64) -> String {
+    let register = &library.register().cell;
+    let linked = linked(NETLIST, top);
+    format!(
+        "{linked}foreach port [all_inputs] {{
   if {{[get_name $port] != \"{CLOCK}\"}} {{
     set_driving_cell -lib_cell {} -pin {} $port
     set_input_delay 0 -clock {CLOCK} $port
