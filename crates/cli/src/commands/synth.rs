@@ -226,12 +226,17 @@ fn results(
     plan.write_verilog(scratch)?;
     plan.map(tools, scratch, &to_do)?;
     let bar = progress::bar("measurements", 0);
-    let found = ledger.work(plan.jobs, &bar, |number| {
-        let job = &jobs[number as usize];
-        let measured = plan.measure(tools, scratch, job)?;
-        writers.take(job, &measured)?;
-        Ok(measured)
-    })?;
+    let found = ledger.work(
+        plan.jobs,
+        &bar,
+        |&number| number,
+        |number| {
+            let job = &jobs[number as usize];
+            let measured = plan.measure(tools, scratch, job)?;
+            writers.take(job, &measured)?;
+            Ok(measured)
+        },
+    )?;
     Ok(found.into_values().collect())
 }
 

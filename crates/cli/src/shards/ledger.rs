@@ -88,8 +88,12 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
         let mut whole = self.header.line().len() as u64;
         for (number, line) in (2..).zip(lines(reader)) {
             let line = line?;
-            let parsed: Line<T> = serde_json::from_slice(&line).with_context(|| {
-                format!("line {number} is not that of a job; remove the file to begin anew")
+            let parsed = serde_json::from_slice::<Line<T>>(&line).ok();
+            let parsed = parsed.filter(|parsed| self.has(parsed.job));
+            let parsed = parsed.with_context(|| {
+                format!(
+                    "line {number} is not that of a job of the shard; remove the file to begin anew"
+                )
             })?;
             whole += line.len() as u64;
             self.done.insert(parsed.job, parsed.result);
@@ -98,6 +102,12 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
         // A worker that was killed while it wrote leaves half a line.
         file.set_len(whole)?;
         Ok(file)
+    }
+
+    /// Whether a job is one of the file's shards.
+    fn has(&self, job: u64) -> bool {
+        let shards = &self.header.shards;
+        job < self.jobs && shards.has.contains(&(job % shards.of + 1))
     }
 
     /// The results of the jobs that are done, by number.
@@ -112,7 +122,7 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
         jobs.filter(|job| !self.done.contains_key(job)).collect()
     }
 
-    /// Does all jobs that are not done, `workers` at a time, and returns the results of all by number.
+    /// Does all jobs that are not done, `workers` at a time and in the order of `key`, and returns the results of all by number.
     ///
     /// # Errors
     /// The first error of a job or of writing. What was done before is kept.
@@ -120,9 +130,11 @@ impl<T: Serialize + DeserializeOwned + Send> Ledger<T> {
         self,
         workers: usize,
         bar: &ProgressBar,
+        key: impl Fn(&u64) -> u64,
         run: impl Fn(u64) -> Result<T> + Sync,
     ) -> Result<BTreeMap<u64, T>> {
-        let to_do = self.to_do();
+        let mut to_do = self.to_do();
+        to_do.sort_by_key(key);
         bar.set_length((self.done.len() + to_do.len()) as u64);
         bar.set_position(self.done.len() as u64);
         let next = Mutex::new(to_do.into_iter());
@@ -262,7 +274,8 @@ mod tests {
         shard: &str,
         run: impl Fn(u64) -> Result<String> + Sync,
     ) -> Result<BTreeMap<u64, String>> {
-        Ledger::open(Some(path), header(shard))?.work(2, &ProgressBar::hidden(), run)
+        let ledger = Ledger::open(Some(path), header(shard))?;
+        ledger.work(2, &ProgressBar::hidden(), |&job| job, run)
     }
 
     #[test]
@@ -318,11 +331,18 @@ mod tests {
         assert!(said("1/3").contains("another process has the file open"));
         drop(open);
         assert_eq!(fs::read(&path).unwrap(), kept);
-        fs::write(&path, [&kept[..], b"a line\n"].concat()).unwrap();
-        assert!(
-            said("1/3").contains("line 5 is not that of a job"),
-            "{}",
-            said("1/3")
-        );
+        // A line that is none, a job of another shard, and one that no shard has.
+        for line in [
+            "a line",
+            r#"{"job":1,"result":"1"}"#,
+            r#"{"job":9,"result":"9"}"#,
+        ] {
+            fs::write(&path, [&kept[..], line.as_bytes(), b"\n"].concat()).unwrap();
+            let said = said("1/3");
+            assert!(
+                said.contains("line 5 is not that of a job of the shard"),
+                "{said}"
+            );
+        }
     }
 }

@@ -181,8 +181,8 @@ fn what_cannot_be_merged_is_named_and_nothing_is_written() {
     let foreign = paths(folder.path(), &["foreign"]).remove(0);
     let other = ["--seed", "7", "--shard", "2/2", "--state", &foreign];
     json(&[&SWEEP[..], &other].concat());
-    let picture = shards(tempfile::tempdir().unwrap().path(), &PICTURE, 1);
-    assert!(!Path::new(&picture[0]).exists(), "the folder is gone");
+    let picture = shards(folder.path(), &PICTURE, 1);
+    let absent = paths(folder.path(), &["absent"]);
     let [half, text] = ["half", "text"].map(|name| paths(folder.path(), &[name]).remove(0));
     let whole = fs::read(&files[0]).unwrap();
     fs::write(&half, &whole[..whole.len() - 10]).unwrap();
@@ -204,7 +204,11 @@ fn what_cannot_be_merged_is_named_and_nothing_is_written() {
             [&files[0], &text],
             "found a file that begins with \"# a listing\", expected a state file",
         ),
-        ([&files[0], &picture[0]], "No such file"),
+        (
+            [&files[0], &picture[0]],
+            "found a state of `progressive`, expected one of `report --sweep`",
+        ),
+        ([&files[0], &absent[0]], "No such file"),
     ] {
         let said = error(&["merge", "-o", &to, inputs[0], inputs[1]], 2);
         assert!(said.contains(expected), "{said}");

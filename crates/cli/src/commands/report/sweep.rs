@@ -76,13 +76,14 @@ struct Bench {
     picture: Vec<QueryPoint>,
 }
 
-/// The jobs of a sweep: scene by scene, radius by radius, row by row.
+/// The jobs of a sweep. Successive jobs are of successive pairs of a scene and a radius, so that a shard has the rows of few pairs where the
+/// number of shards and that of pairs have a common factor: it traces the maps of its pairs alone.
 struct Sweep<'a> {
     args: &'a ReportArgs,
     scenes: Vec<Scene>,
     /// Each with its name.
     subjects: Vec<(String, Subject<'a>)>,
-    /// The maps of the last job, and the number of its scene and radius. The next job has the same ones, mostly.
+    /// The maps of the last job, and the number of its pair. Jobs are done pair by pair.
     last: Mutex<Option<(usize, Arc<Bench>)>>,
 }
 
@@ -94,34 +95,22 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     let loaded = loaded.collect::<Result<Vec<_>>>()?;
     check(args, &data, &loaded)?;
     let cores = cores::measured()?;
-    let formats = PHOTON_FORMATS
-        .iter()
-        .map(|of| (of.name(), Engine::from(of)));
-    let machines = MACHINES
-        .iter()
-        .map(|of| (of.name.to_owned(), Engine::from(of)));
-    let engines = formats.chain(machines);
-    let engines = engines.map(|(name, engine)| (name, Subject::Engine(engine)));
-    let with_name = |core: &MeasuredCore| core.core.name();
     let sweep = Sweep {
         args,
         scenes: loaded,
-        subjects: engines
-            .chain(
-                cores
-                    .iter()
-                    .map(|core| (with_name(core), Subject::Core(core))),
-            )
-            .collect(),
+        subjects: subjects(&cores),
         last: Mutex::new(None),
     };
-    let jobs = (sweep.benches() * sweep.subjects.len()) as u64;
+    let jobs = (sweep.pairs() * sweep.subjects.len()) as u64;
     let header = Header::new("report --sweep", sweep.settings(), Some(jobs), shard);
     let ledger = Ledger::open(args.shard.state.as_deref(), header)?;
     let bar = progress::bar("rows", 0);
     // A measurement takes all cores, so there is one at a time.
-    let points = ledger.work(1, &bar, |job| sweep.measure(job as usize))?;
-    let points: Vec<_> = points.into_values().collect();
+    let pair = |job: &u64| *job % sweep.pairs() as u64;
+    let points = ledger.work(1, &bar, pair, |job| sweep.measure(job as usize))?;
+    let mut points: Vec<_> = points.into_iter().collect();
+    points.sort_by_key(|(job, _)| pair(job));
+    let points: Vec<_> = points.into_iter().map(|(_, point)| point).collect();
     let is_whole = args.shard.shard.is_none();
     let report = Report {
         noise_ratio: args.noise_ratio,
@@ -158,27 +147,43 @@ fn check(args: &ReportArgs, data: &std::path::Path, scenes: &[Scene]) -> Result<
         .try_for_each(|scene| sight::check(scene, &view))
 }
 
+/// The rows of each pair of a scene and a radius, with their names.
+fn subjects(cores: &[MeasuredCore]) -> Vec<(String, Subject<'_>)> {
+    let formats = PHOTON_FORMATS.iter();
+    let formats = formats.map(|of| (of.name(), Subject::Engine(of.into())));
+    let machines = MACHINES.iter();
+    let machines = machines.map(|of| (of.name.to_owned(), Subject::Engine(of.into())));
+    let cores = cores.iter().map(|of| (of.core.name(), Subject::Core(of)));
+    formats.chain(machines).chain(cores).collect()
+}
+
 impl Sweep<'_> {
     /// The number of pairs of a scene and a radius.
-    fn benches(&self) -> usize {
+    fn pairs(&self) -> usize {
         self.scenes.len() * self.args.in_range.len()
     }
 
     /// What other workers must have in common.
     fn settings(&self) -> Settings {
-        let list = |items: &mut dyn Iterator<Item = String>| items.collect::<Vec<_>>().join(", ");
-        let names = self.subjects.iter().map(|(name, _)| name.clone());
+        let list = |items: Vec<String>| items.join(", ");
         let args = self.args;
         let own = [
             (
+                "scenes",
+                list(args.scenes.iter().map(ToString::to_string).collect()),
+            ),
+            (
                 "scenes, their SHA-256",
-                list(&mut self.scenes.iter().map(Scene::sha256)),
+                list(self.scenes.iter().map(Scene::sha256).collect()),
             ),
             (
                 "--in-range",
-                list(&mut args.in_range.iter().map(f64::to_string)),
+                list(args.in_range.iter().map(f64::to_string).collect()),
             ),
-            ("rows", list(&mut { names })),
+            (
+                "rows",
+                list(self.subjects.iter().map(|(name, _)| name.clone()).collect()),
+            ),
             ("--photons", args.photons.to_string()),
             ("--maps", args.maps.to_string()),
             ("--noise-ratio", args.noise_ratio.to_string()),
@@ -191,7 +196,7 @@ impl Sweep<'_> {
 
     /// The row of a job.
     fn measure(&self, job: usize) -> Result<Point> {
-        let (number, subject) = (job / self.subjects.len(), job % self.subjects.len());
+        let (subject, number) = (job / self.pairs(), job % self.pairs());
         let radii = &self.args.in_range;
         let (scene, in_range) = (number / radii.len(), radii[number % radii.len()]);
         let name = self.args.scenes[scene].to_string();

@@ -5,12 +5,11 @@ use photoncube_hdl::{Level, emit};
 use photoncube_spec::find_machine;
 use photoncube_testbench::{Failure, NumberedJob, Pair, Summary, VerifyError, pairs};
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use super::{Campaign, Report, keep, outcome, totals};
 use crate::commands::verify::outcome::Outcome;
-use crate::progress;
 use crate::shards::{Header, Ledger, Settings, Shard};
+use crate::{digests, progress};
 
 /// The result of a job.
 #[derive(Serialize, Deserialize)]
@@ -43,7 +42,7 @@ impl Campaign {
         let to_do = ledger.to_do();
         let bar = progress::bar("jobs", 0);
         let run = |number| self.job(NumberedJob::new(&pairs, self.seed, number, self.iterations));
-        let found = ledger.work(rayon::current_num_threads(), &bar, run)?;
+        let found = ledger.work(rayon::current_num_threads(), &bar, |&number| number, run)?;
         let equal = || found.values().filter_map(Found::equal);
         let failures: Vec<_> = found.values().filter_map(Found::differs).cloned().collect();
         let report = Report {
@@ -81,12 +80,9 @@ impl Campaign {
 
     /// What other workers must have in common. The digest is that of the Verilog of all machines.
     fn settings(&self, pairs: &[Pair]) -> Result<Settings> {
-        let mut hasher = Sha256::new();
-        for (machine, _) in pairs {
-            hasher.update(emit(machine, Level::Machine)?.verilog_sha256());
-        }
-        let digest = hasher.finalize();
-        let digest: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        let emitted = pairs.iter().map(|pair| emit(pair.0, Level::Machine));
+        let each = emitted.map(|emitted| Ok(emitted?.verilog_sha256()));
+        let digest = digests::of_file(&each.collect::<Result<String>>()?);
         let machines = pairs.iter().map(|pair| pair.0.name);
         let settings = [
             ("--seed", self.seed.to_string()),
