@@ -45,7 +45,7 @@ readonly CLUSTER_REQUIREMENTS
 usage() {
     cat <<USAGE
 Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-core] [--book] [--where-book] [--cluster]
-                        [--where-cluster] [--emulators] [--layout] [--where-layout] [--help]
+                        [--where-cluster] [--emulators] [--layout] [--where-layout] [--rust] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
@@ -72,6 +72,7 @@ Changes nothing that is there already.
                (Debian packages, about 20 MB), and in an environment of their own KLayout $KLAYOUT and Pillow $PILLOW from
                PyPI (about 150 MB)
   --where-layout  the same as --where for KLayout
+  --rust       install only rustfmt and clippy, through rustup
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
@@ -410,7 +411,7 @@ setup_layout() {
     : >"$environment/complete"
 }
 
-synthesis=0 asic=0 layout=0 ccache=0 book=0 cluster=0 emulators=0 where=
+synthesis=0 asic=0 layout=0 ccache=0 book=0 cluster=0 emulators=0 rust=0 where=
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
@@ -422,6 +423,7 @@ for argument in "$@"; do
         --cluster) cluster=1 ;;
         --emulators) emulators=1 ;;
         --layout) layout=1 ;;
+        --rust) rust=1 ;;
         --where-layout) where=$(layout_environment) ;;
         --where-book) where=$(book_environment) ;;
         --where-cluster) where=$(cluster_environment) where_option=--cluster ;;
@@ -430,7 +432,7 @@ for argument in "$@"; do
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book, --cluster, --where-cluster, --emulators, --layout, --where-layout or --help"
+            note "found \`$argument\`, expected --synthesis, --asic, --ccache, --where, --where-core, --book, --where-book, --cluster, --where-cluster, --emulators, --layout, --where-layout, --rust or --help"
             exit 2
             ;;
     esac
@@ -454,6 +456,10 @@ if ((emulators)); then
 fi
 if ((layout)); then
     setup_layout
+    exit
+fi
+if ((rust)); then
+    setup_rust
     exit
 fi
 setup_packages

@@ -14,6 +14,8 @@ if (($# > 0)); then
 fi
 
 export REQUIRE_EDA=1
+# A first build is faster without the data for a second one. Where they are there, they are used.
+[[ -d ${CARGO_TARGET_DIR:-target}/debug/incremental ]] || export CARGO_INCREMENTAL=0
 
 scratch=$(mktemp -d)
 streams=()
@@ -62,15 +64,41 @@ all_verilog() {
     (cd hdl-out && sha256sum --quiet --check SHA256SUMS)
 }
 
-stage "set-up" scripts/setup.sh --asic --ccache
-stage "set-up of engines" scripts/setup.sh --cluster
+# The compilers need no tool, and the tools are downloaded while the compilers work.
+set_up() {
+    stage "set-up" scripts/setup.sh --asic --ccache
+    stage "set-up of engines" scripts/setup.sh --cluster
+}
+
+# Starts a command as a process group, which ends as one when the script is interrupted.
+start() {
+    set -m
+    "$@" &
+    set +m
+    streams+=($!)
+}
+
+# Runs a function whose output `finish` prints.
+logged() { "$1" >"$scratch/$1.log" 2>&1; }
+
+finish() {
+    local code=0
+    wait "$2" || code=$?
+    cat "$scratch/$1.log"
+    return "$code"
+}
+
+stage "rustfmt and clippy" scripts/setup.sh --rust
+# Rust links with the C compiler, which the set-up installs where there is none.
+if command -v cc >/dev/null; then start logged set_up; else set_up; fi
 stage "format" cargo fmt --all --check
 stage "layers" scripts/check_layers.sh
 stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
 stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 stage "build" cargo test --locked --workspace --no-run --quiet
 stage "examples" examples
-stage "all Verilog" all_verilog
+((${#streams[@]} == 0)) || finish set_up "${streams[0]}"
+streams=()
 
 # Two streams, because most checks wait for one simulator or one Yosys at a time. Every test is in one of them:
 # the second has the test files that the first leaves out.
@@ -78,32 +106,27 @@ first_stream() {
     stage "test files a to d" cargo test --locked --workspace --test '[a-d]*' -- --include-ignored
     stage "unit tests" cargo test --locked --workspace --lib --bins -- --include-ignored
     stage "doc tests" cargo test --locked --workspace --doc
+    stage "all Verilog" all_verilog
     stage "Verilog checks" scripts/yosys/check.sh
     stage "example testbenches" scripts/testbenches.sh
     stage "Yosys scripts" scripts/yosys/scripts.sh
     stage "Quartus projects" scripts/quartus/check.sh
     stage "second texts" scripts/yosys/ecp5.sh
     stage "copies of registers" scripts/yosys/copies.sh
+}
+second_stream() {
+    stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*' -- --include-ignored
     stage "cores by standard tools" scripts/core/check.sh
     stage "board" scripts/board/check.sh
     stage "engines of clusters" scripts/cluster/check.sh
 }
-second_stream() {
-    stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*' -- --include-ignored
-}
 
-# With job control, each stream is a process group, which ends as one when the script is interrupted.
-set -m
-first_stream &
-second_stream >"$scratch/second.log" 2>&1 &
-set +m
-streams=($(jobs -p))
+start first_stream
+start logged second_stream
 code=0
-for stream in "${streams[@]}"; do
-    wait "$stream" || code=$?
-done
+wait "${streams[0]}" || code=$?
+finish second_stream "${streams[1]}" || code=$?
 streams=()
-cat "$scratch/second.log"
 ((code == 0)) || exit "$code"
 
 printf '\nall stages passed\n'

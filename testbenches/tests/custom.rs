@@ -22,6 +22,13 @@ const LEAF_MACHINES: [&str; 5] = [
     "leaf-4-radii-local6x2-rgb4d-n256",
 ];
 
+/// Shallow pipelines: one engine with a radius for each query, a chain, and squares from products on half steps.
+const SHALLOW_MACHINES: [&str; 3] = [
+    "stream-shallow-local8-rgb8d-n16384",
+    "tile-6-shallow-local7-rgb6d-n4096",
+    "tile-5-shallow-local6x2-rgb4d-n256",
+];
+
 fn equal(name: &str, kind: DeviceKind, iterations: u64) {
     equal_on(name, kind, Source::Random, iterations);
 }
@@ -45,6 +52,24 @@ fn equal_on(name: &str, kind: DeviceKind, source: Source<'_>, iterations: u64) {
 fn the_emitted_text_of_custom_machines_equals_the_golden_model() {
     for name in MACHINES {
         equal(name, DeviceKind::Text, 1_000);
+    }
+}
+
+/// Random stimulus, the largest sums, streams that wait, and a reset at every clock of a query.
+#[test]
+fn the_emitted_text_of_shallow_pipelines_equals_the_golden_model() {
+    for name in SHALLOW_MACHINES {
+        let machine = find_machine(name).unwrap();
+        let largest = machine.max_photons() / machine.photons_per_iteration() as u64;
+        for (source, iterations) in [
+            (Source::Random, 1_000),
+            (Source::FullThenEmpty, 2 * largest),
+            (Source::Protocol(Protocol::FewStalls), 1),
+            (Source::Protocol(Protocol::Holds), 1),
+            (Source::Protocol(Protocol::Resets), 1),
+        ] {
+            equal_on(name, DeviceKind::Text, source, iterations);
+        }
     }
 }
 

@@ -6,7 +6,8 @@ use photoncube_render::{
     fit,
 };
 use photoncube_spec::{
-    CustomError, CustomOrganisation, MACHINES, Machine, PhotonFormat, Widths, custom_machine,
+    CustomError, CustomOrganisation, MACHINES, Machine, PhotonFormat, Pipeline, Widths,
+    custom_machine,
 };
 use serde::Serialize;
 
@@ -157,7 +158,12 @@ fn custom_candidate(format: &PhotonFormat) -> Option<&'static Machine> {
 /// The machine that a format gets which no named machine has: one engine takes fewer LUTs than the paper's cells, and
 /// tests a group in every clock.
 fn custom(format: &PhotonFormat) -> Result<&'static Machine, CustomError> {
-    custom_machine(CustomOrganisation::Stream, format)
+    custom_machine(
+        CustomOrganisation::Stream {
+            pipeline: Pipeline::Deep,
+        },
+        format,
+    )
 }
 
 /// Sorts machines by size: first those of exactly the format, then by the bits of a stored photon, then by

@@ -7,6 +7,7 @@
 //! - `sequential`: the paper's 16 cells;
 //! - `stream`: one engine, each query with a radius of its own;
 //! - `tile-D`: `2^(D - 4)` engines in a chain, D from 4 to 10, with the radius of the format;
+//! - `stream-shallow`, `tile-D-shallow`: `stream` and `tile-D` with a [shallow](Pipeline::Shallow) pipeline;
 //! - `leaf-D`: the chain of `tile-D` behind a memory that skips the photons far from a batch of queries;
 //! - `leaf-D-radii`: `leaf-D`, each query with a radius of its own.
 //!
@@ -23,8 +24,20 @@ use crate::hypercube::Hypercube;
 use crate::leaf::Leaf;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
-use crate::spatial::pipelines::{DIGITS, FINE, LEAF, LEAF_LATE_PRODUCT, LEAF_PRODUCT, PRODUCT};
-use crate::spatial::{EngineKind, Radius, Spatial, SpatialError};
+use crate::spatial::pipelines::{
+    DIGITS, FINE, LEAF, LEAF_LATE_PRODUCT, LEAF_PRODUCT, PRODUCT, SHALLOW,
+};
+use crate::spatial::{Cuts, EngineKind, Radius, Spatial, SpatialError};
+
+/// How many pipeline registers the engines of a custom machine have.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Pipeline {
+    /// At most two adders stand between two registers: the shortest clock period on an FPGA, whose LUTs have registers anyway.
+    Deep,
+    /// Two registers stand between a photon and its in-range flag, and one behind each sum: the least energy of a photon test in
+    /// standard cells, where registers take most of it.
+    Shallow,
+}
 
 /// The organisation of a custom machine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
@@ -32,11 +45,16 @@ pub enum CustomOrganisation {
     /// The paper's organisation on the 4-D hypercube.
     Sequential,
     /// One engine; each query has a radius of its own.
-    Stream,
+    Stream {
+        /// The pipeline of the engine.
+        pipeline: Pipeline,
+    },
     /// A chain of engines on a hypercube of `dimension` dimensions; all queries have the format's radius.
     Tile {
         /// The dimension of the hypercube: `2^(dimension - 4)` engines.
         dimension: u32,
+        /// The pipeline of an engine.
+        pipeline: Pipeline,
     },
     /// The chain of a tile behind a memory of leaves, whose banks hold the photons of the format, see [`Leaf`].
     Leaf {
@@ -52,8 +70,8 @@ pub enum CustomOrganisation {
 pub enum CustomError {
     /// There is no such organisation.
     #[error(
-        "there is no organisation `{0}` of custom machines; expected sequential, stream, tile-4 to tile-10, leaf-4 to leaf-10, or leaf-4-radii to \
-         leaf-10-radii"
+        "there is no organisation `{0}` of custom machines; expected sequential, stream, stream-shallow, tile-4 to tile-10, tile-4-shallow to \
+         tile-10-shallow, leaf-4 to leaf-10, or leaf-4-radii to leaf-10-radii"
     )]
     Organisation(String),
     /// The name of the format is not one.
@@ -82,12 +100,20 @@ impl CustomOrganisation {
     /// There is none; the error lists those there are.
     pub fn from_name(name: &str) -> Result<Self, CustomError> {
         let dimensions = Hypercube::MIN_DIMENSION..=Hypercube::MAX_DIMENSION;
-        let tiles = dimensions.clone().map(|dimension| Self::Tile { dimension });
+        let pipelines = [Pipeline::Deep, Pipeline::Shallow];
+        let streams = pipelines.map(|pipeline| Self::Stream { pipeline });
+        let tiles = dimensions.clone().flat_map(|dimension| {
+            pipelines.map(|pipeline| Self::Tile {
+                dimension,
+                pipeline,
+            })
+        });
         let leaves = dimensions.flat_map(|dimension| {
             [Radius::Format, Radius::Query].map(|radius| Self::Leaf { dimension, radius })
         });
-        let mut all = [Self::Sequential, Self::Stream]
+        let mut all = [Self::Sequential]
             .into_iter()
+            .chain(streams)
             .chain(tiles)
             .chain(leaves);
         let found = all.find(|organisation| organisation.name() == name);
@@ -98,8 +124,11 @@ impl CustomOrganisation {
     pub fn name(self) -> String {
         match self {
             Self::Sequential => "sequential".to_owned(),
-            Self::Stream => "stream".to_owned(),
-            Self::Tile { dimension } => format!("tile-{dimension}"),
+            Self::Stream { pipeline } => format!("stream{}", pipeline.suffix()),
+            Self::Tile {
+                dimension,
+                pipeline,
+            } => format!("tile-{dimension}{}", pipeline.suffix()),
             Self::Leaf {
                 dimension,
                 radius: Radius::Format,
@@ -114,8 +143,14 @@ impl CustomOrganisation {
     fn summary(self, format: &PhotonFormat) -> String {
         let cells = match self {
             Self::Sequential => "16 cells that do one instruction a clock".to_owned(),
-            Self::Stream => "one engine of 16 cells that keep their instructions".to_owned(),
-            Self::Tile { dimension } => chain(dimension),
+            Self::Stream { pipeline } => format!(
+                "one engine of 16 cells that keep their instructions{}",
+                pipeline.summary()
+            ),
+            Self::Tile {
+                dimension,
+                pipeline,
+            } => chain(dimension) + pipeline.summary(),
             Self::Leaf { dimension, radius } => {
                 let radii = match radius {
                     Radius::Format => "",
@@ -129,8 +164,8 @@ impl CustomOrganisation {
 
     fn dimension(self) -> u32 {
         match self {
-            Self::Sequential | Self::Stream => Hypercube::MIN_DIMENSION,
-            Self::Tile { dimension } | Self::Leaf { dimension, .. } => dimension,
+            Self::Sequential | Self::Stream { .. } => Hypercube::MIN_DIMENSION,
+            Self::Tile { dimension, .. } | Self::Leaf { dimension, .. } => dimension,
         }
     }
 
@@ -138,9 +173,11 @@ impl CustomOrganisation {
         let is_product = squarer == Squarer::Product;
         let (radius, cuts, others) = match self {
             Self::Sequential => return Organisation::Sequential,
-            Self::Stream => (Radius::Query, FINE, NO_OTHERS),
-            Self::Tile { .. } if is_product => (Radius::Format, PRODUCT.cuts, NO_OTHERS),
-            Self::Tile { .. } => (Radius::Format, DIGITS, NO_OTHERS),
+            Self::Stream { pipeline } => (Radius::Query, pipeline.cuts(FINE), NO_OTHERS),
+            Self::Tile { pipeline, .. } => {
+                let deep = if is_product { PRODUCT.cuts } else { DIGITS };
+                (Radius::Format, pipeline.cuts(deep), NO_OTHERS)
+            }
             Self::Leaf { radius, .. } if is_product => (radius, LEAF_LATE_PRODUCT.cuts, NO_OTHERS),
             Self::Leaf { dimension, radius } => (radius, LEAF, leaf_products(dimension)),
         };
@@ -158,6 +195,31 @@ impl CustomOrganisation {
                 bank_groups: Leaf::groups_for(format.max_photons),
             }),
             _ => Organisation::Spatial(chain),
+        }
+    }
+}
+
+impl Pipeline {
+    /// What the name of a machine has behind its organisation.
+    fn suffix(self) -> &'static str {
+        match self {
+            Self::Deep => "",
+            Self::Shallow => "-shallow",
+        }
+    }
+
+    fn summary(self) -> &'static str {
+        match self {
+            Self::Deep => "",
+            Self::Shallow => ", few pipeline registers",
+        }
+    }
+
+    /// The pipeline registers of an engine, which has those of `deep` in a deep pipeline.
+    fn cuts(self, deep: Cuts) -> Cuts {
+        match self {
+            Self::Deep => deep,
+            Self::Shallow => SHALLOW,
         }
     }
 }
@@ -261,6 +323,8 @@ mod tests {
             "stream-local12x2-rgb16e4-n4096",
             "tile-4-local7-rgb6d-n4096",
             "tile-10-local4-mono1-n8",
+            "stream-shallow-local6x2-rgb4d-n4096",
+            "tile-5-shallow-local7-rgb6d-n4096",
             "leaf-7-local7-rgb6d-n4096",
             "leaf-7-radii-local7-rgb6d-n4096",
         ] {
@@ -280,6 +344,37 @@ mod tests {
             ..*custom
         };
         assert_eq!(renamed, *named);
+    }
+
+    #[test]
+    fn a_shallow_machine_has_other_pipeline_registers_and_nothing_else() {
+        for (deep, shallow, stages) in [
+            (
+                "stream-local8-rgb8d-n16384",
+                "stream-shallow-local8-rgb8d-n16384",
+                [8, 2],
+            ),
+            (
+                "tile-6-local7-rgb6d-n4096",
+                "tile-6-shallow-local7-rgb6d-n4096",
+                [6, 2],
+            ),
+        ] {
+            let [deep, shallow] = [deep, shallow].map(|name| find_machine(name).unwrap());
+            let [of_deep, of_shallow] = [deep, shallow].map(|machine| *machine.spatial().unwrap());
+            assert_eq!([of_deep, of_shallow].map(|of| of.latency()), stages);
+            let chain = Spatial {
+                cuts: of_deep.cuts,
+                ..of_shallow
+            };
+            let without = Machine {
+                name: deep.name,
+                summary: deep.summary,
+                organisation: Organisation::Spatial(chain),
+                ..*shallow
+            };
+            assert_eq!(without, *deep);
+        }
     }
 
     #[test]
@@ -313,7 +408,11 @@ mod tests {
     fn what_cannot_be_made_is_refused_with_what_could() {
         for (name, expected) in [
             ("tiles-4-local7-rgb6d", "no organisation `tiles-4`"),
-            ("tile-11-local7-rgb6d", "tile-4 to tile-10"),
+            ("tile-11-local7-rgb6d", "tile-4 to tile-10, tile-4-shallow"),
+            (
+                "leaf-7-shallow-local7-rgb6d",
+                "no organisation `leaf-7-shallow`",
+            ),
             (
                 "stream-local3-rgb6d",
                 "position_bits is 3, expected 4 to 12",

@@ -50,7 +50,7 @@ pub use cell::{
     Register, RegisterRow, SEQUENTIAL, ScheduleError, ScheduledStep, Step, Stream, Unit, UnitUse,
     unit_utilisation,
 };
-pub use custom::{CustomError, CustomOrganisation, custom_machine};
+pub use custom::{CustomError, CustomOrganisation, Pipeline, custom_machine};
 pub use formats::{
     Channels, Exponent, FormatError, Numbers, PHOTON_FORMATS, PhotonBlock, PhotonFormat,
     PhotonRecord, PlainFormat, PowerFormat, Rounding, Squarer, UnknownFormat, Widths,

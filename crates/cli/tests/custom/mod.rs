@@ -50,7 +50,7 @@ fn a_machine_that_cannot_be_made_is_refused() {
         (
             "core",
             FORMAT,
-            "expected sequential, stream, tile-4 to tile-10, leaf-4 to leaf-10, or leaf-4-radii to leaf-10-radii",
+            "expected sequential, stream, stream-shallow, tile-4 to tile-10, tile-4-shallow to tile-10-shallow, leaf-4 to leaf-10",
         ),
         (
             "stream",

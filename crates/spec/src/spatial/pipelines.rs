@@ -38,6 +38,10 @@ pub(crate) const DIGITS: Cuts = COARSE.and(Cut::Difference);
 /// from its lanes.
 pub(crate) const DECISIONS: Cuts = DIGITS.and(Cut::RangeDelay).and(Cut::Decision);
 
+/// Pipeline registers for standard cells. A register takes the energy of many gates, and more than the adders that it would part. A
+/// register at `Magnitude` holds the fewest bits of all places before the sum of squares, and divides the longest path in the middle.
+pub(crate) const SHALLOW: Cuts = Cuts::of(&[Cut::Magnitude, Cut::Range]);
+
 /// Engines whose squarers are tables in block RAMs: `DECISIONS` with the block RAM's own output register.
 pub(crate) const TABLE: EngineKind = EngineKind {
     squarer: Squarer::Table,
