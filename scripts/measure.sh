@@ -20,7 +20,7 @@ for option; do
             printf '  --place-cores    also place cores of one chain and of six: two hours\n'
             printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
             printf '                   million random groups: an hour\n'
-            printf '  --liberty=FILE   also measure the machines in these standard cells, beside those of osu018: five minutes\n'
+            printf '  --liberty=FILE   also measure the machines in these standard cells, beside those of osu018: half an hour\n'
             [[ $option == -h || $option == --help ]] && exit 0
             exit 2
             ;;
@@ -79,17 +79,24 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
-# Area, clock and energy in standard cells, also at the activities of a simulation. Longer chains consist of engines of these; one of 64 did not end in a quarter of an
-# hour.
-in_cells=()
-for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7}; do
+# Area, clock and energy in standard cells, also at the activities of a simulation, which would take a chain of 32 or 64 engines an hour.
+# A photon memory would be some hundred thousand registers, as these libraries have no RAM.
+in_cells=() longest=(--machine tile-9 --machine tile-10)
+for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8} \
+    stream-shallow-local8-rgb8d-n16384 tile-{6,7}-shallow-local7-rgb6d-n4096; do
     in_cells+=(--machine "$machine")
 done
 measure_in_cells() {
     target/release/photoncube synth --asic --activity-of cornell "$@" "${in_cells[@]}" --json >target/measured/asic.json
-    local library
-    library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic.json)
-    cp target/measured/asic.json "docs/measured/asic-$library.json"
+    target/release/photoncube synth --asic "$@" "${longest[@]}" --json >target/measured/asic-longest.json
+    python3 - target/measured/asic.json target/measured/asic-longest.json <<'PYTHON'
+import json, sys
+
+report, longest = (json.load(open(name)) for name in sys.argv[1:])
+report["machines"] += longest["machines"]
+with open(f"docs/measured/asic-{report['library']}.json", "w") as file:
+    file.write(json.dumps(report, indent=2, ensure_ascii=False) + "\n")
+PYTHON
 }
 measure_in_cells
 if [[ -n $liberty ]]; then

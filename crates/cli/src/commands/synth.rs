@@ -121,8 +121,9 @@ fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
 }
 
 fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
-    let mut stale = figures::faults(&args.out, subjects, args.machines.is_empty())?;
-    stale.extend(asic::faults(&args.out, subjects)?);
+    let all = args.machines.is_empty();
+    let mut stale = figures::faults(&args.out, subjects, all)?;
+    stale.extend(asic::faults(&args.out, subjects, all)?);
     stale.extend(layout::faults(&args.out, subjects)?);
     let report = CheckReport {
         machines: subjects

@@ -12,7 +12,7 @@ use fpga_flow::asic::{
     CellFigures, Library, NETLIST, Sta, measure, measure_simulated, simulatable,
 };
 use fpga_flow::{FlowError, ToolError, Tools, Yosys};
-use photoncube_spec::Machine;
+use photoncube_spec::{MACHINES, Machine, find_machine};
 use photoncube_testbench::Tool;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
@@ -217,14 +217,26 @@ pub fn recorded<T: DeserializeOwned>(folder: &Path, prefix: &str) -> Result<Vec<
     Ok(files)
 }
 
-/// The recorded rows in a folder that are of other Verilog than the subjects'.
-pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
+/// The recorded rows in a folder that are of other Verilog than the subjects'; with `all`, also than that of a custom machine, which is among
+/// no subjects.
+pub fn faults(folder: &Path, subjects: &[Subject], all: bool) -> Result<Vec<String>> {
     let mut faults = Vec::new();
     for (file, report) in recorded::<Report>(folder, PREFIX)? {
         let rows = report.machines.iter();
-        let stale = rows.filter(|row| is_stale(subjects, &row.machine, &row.verilog_sha256));
+        let custom = rows
+            .clone()
+            .filter(|row| all && MACHINES.iter().all(|named| named.name != row.machine));
+        let custom: Vec<_> = custom
+            .map(|row| Subject::of(find_machine(&row.machine)?))
+            .collect::<Result<_>>()?;
+        let of_rows = |subjects| {
+            rows.clone()
+                .filter(move |row| is_stale(subjects, &row.machine, &row.verilog_sha256))
+        };
         faults.extend(
-            stale.map(|row| format!("{file}: {} was measured with other Verilog", row.machine)),
+            of_rows(subjects)
+                .chain(of_rows(&custom))
+                .map(|row| format!("{file}: {} was measured with other Verilog", row.machine)),
         );
     }
     Ok(faults)

@@ -127,7 +127,12 @@ fn measured(report: &Report, machine: &str, made_in: &str) -> Option<Vec<String>
 }
 
 /// The machines that the table has.
-const MACHINES: [&str; 3] = ["paper", "stream", "tile-7"];
+const MACHINES: [&str; 4] = [
+    "paper",
+    "stream",
+    "tile-7",
+    "tile-7-shallow-local7-rgb6d-n4096",
+];
 
 fn beside(reports: &[(String, Report)]) -> String {
     let header = [

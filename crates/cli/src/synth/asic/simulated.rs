@@ -21,6 +21,10 @@ use crate::table;
 /// The iterations in which the planted fault must be found.
 const CONTROL_ITERATIONS: u64 = 20;
 
+/// The pixels on a side of the picture whose queries are gathered. Neighbouring ones have the same photons nearly everywhere, so they fill
+/// the batches of a machine that tests several queries at once.
+const SIDE: u32 = 2048;
+
 /// The photons and the view of a scene.
 pub(super) struct Workload {
     scene: SceneName,
@@ -45,6 +49,8 @@ pub(super) struct Simulation {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Simulated {
     scene: String,
+    /// The pixels on a side of the picture.
+    side: u32,
     seed: u64,
     /// The digest of the netlist.
     netlist_sha256: String,
@@ -66,14 +72,18 @@ pub(super) struct Simulated {
 }
 
 impl Workload {
-    /// Traces a scene as `run` does without options.
+    /// Traces a scene as `run` does without options, and takes queries of a picture of [`SIDE`] by [`SIDE`] pixels.
     pub(super) fn of(name: &SceneName) -> Result<Self> {
         let picture = PictureArgs::default();
         let traced = trace_scene(scenes::load(name)?, &picture, &Lighting::default())?;
         Ok(Self {
             scene: name.clone(),
             traced,
-            view: view(&picture),
+            view: ViewOptions {
+                width: SIDE,
+                height: SIDE,
+                ..view(&picture)
+            },
             seed: picture.seed,
             clocks: 2048.0,
             random_iterations: 100,
@@ -178,6 +188,7 @@ impl Simulated {
         let energy = figures.cycle_energy_pj() * scene.vectors_compared as f64;
         Self {
             scene: workload.scene.to_string(),
+            side: workload.view.width,
             seed: workload.seed,
             netlist_sha256: netlist.netlist_sha256.clone(),
             clocks_simulated: scene.vectors_compared,

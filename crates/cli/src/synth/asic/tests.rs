@@ -10,6 +10,8 @@ use crate::failure::CheckFailed;
 
 #[path = "beside.rs"]
 mod beside;
+#[path = "shallow.rs"]
+mod shallow;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs");
 
@@ -45,6 +47,28 @@ fn every_recorded_key_is_documented() {
         let missing = keys.find(|key| !documented.contains(&format!("`{key}`")));
         assert_eq!(missing, None, "{file}: docs/json.md does not explain it");
     }
+}
+
+/// A custom machine is among no subjects, and its row is held to its Verilog where all rows are.
+#[test]
+fn a_row_of_a_custom_machine_is_held_to_its_verilog() {
+    let folder = tempfile::tempdir().unwrap();
+    let (file, mut report) = recorded::<Report>(&Path::new(ROOT).join("measured"), PREFIX)
+        .unwrap()
+        .swap_remove(0);
+    let mut found = |all| {
+        let text = serde_json::to_string(&report).unwrap();
+        fs::write(folder.path().join(&file), text).unwrap();
+        report
+            .machines
+            .retain(|row| row.machine.starts_with("stream-shallow"));
+        report.machines[0].verilog_sha256 = "00".to_owned();
+        faults(folder.path(), &[], all).unwrap()
+    };
+    assert_eq!(found(true), Vec::<String>::new());
+    let expected = "stream-shallow-local8-rgb8d-n16384 was measured with other Verilog";
+    assert_eq!(found(true), [format!("{file}: {expected}")]);
+    assert_eq!(found(false), Vec::<String>::new());
 }
 
 /// The netlist of the smallest machine in standard cells equals the golden model, on random stimulus and on photons of a scene. A wrong
