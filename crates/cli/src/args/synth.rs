@@ -99,6 +99,9 @@ pub struct SynthArgs {
     /// at each net's own transitions; without a name on cornell. Needs Icarus
     #[arg(long, requires = "asic", value_name = "SCENE", num_args = 0..=1, default_missing_value = "cornell")]
     pub activity_of: Option<SceneName>,
+    /// Put clock gates of the library before registers with an enable. Only --activity-of knows how often these are enabled
+    #[arg(long, requires = "asic")]
+    pub clock_gating: bool,
     /// Also write the netlist of each machine to DIR/M.v
     #[arg(long, requires = "asic", value_name = "DIR")]
     pub netlists: Option<PathBuf>,

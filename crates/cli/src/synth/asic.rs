@@ -9,7 +9,7 @@ use std::thread::available_parallelism;
 
 use anyhow::{Context, Result, anyhow};
 use fpga_flow::asic::{
-    CellFigures, Library, NETLIST, Sta, measure, measure_simulated, simulatable,
+    CellFigures, Library, NETLIST, Options, Sta, measure, measure_simulated, simulatable,
 };
 use fpga_flow::{FlowError, ToolError, Tools, Yosys};
 use photoncube_spec::{MACHINES, Machine, find_machine};
@@ -44,6 +44,8 @@ pub struct AsicRow {
     register_area_share: f64,
     standard_cells: u64,
     fanout_buffers: u64,
+    #[serde(default, skip_serializing_if = "is_zero")]
+    clock_gates: u64,
     fmax_mhz: f64,
     power_mw: f64,
     photon_tests_per_clock: f64,
@@ -60,8 +62,18 @@ struct Report {
     library: String,
     library_sha256: String,
     activity: f64,
+    #[serde(default, skip_serializing_if = "is_false")]
+    clock_gating: bool,
     tool_versions: BTreeMap<String, String>,
     machines: Vec<AsicRow>,
+}
+
+fn is_zero(count: &u64) -> bool {
+    *count == 0
+}
+
+fn is_false(flag: &bool) -> bool {
+    !flag
 }
 
 impl AsicRow {
@@ -75,6 +87,7 @@ impl AsicRow {
             register_area_share: figures.register_area / figures.area,
             standard_cells: figures.cells,
             fanout_buffers: figures.fanout_buffers,
+            clock_gates: figures.clock_gates,
             fmax_mhz: figures.fmax_mhz(),
             power_mw: 1e3 * figures.power_w(),
             photon_tests_per_clock: tests,
@@ -100,7 +113,10 @@ pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> R
         yosys: tools.yosys(),
         sta,
         library,
-        activity: args.activity,
+        options: Options {
+            activity: args.activity,
+            clock_gating: args.clock_gating,
+        },
         workload: args.activity_of.as_ref().map(Workload::of).transpose()?,
     };
     if flow.workload.is_some() {
@@ -110,6 +126,7 @@ pub fn execute(args: &SynthArgs, machines: &[&'static Machine], json: bool) -> R
         library: flow.library.name().to_owned(),
         library_sha256: flow.library.sha256(),
         activity: args.activity,
+        clock_gating: args.clock_gating,
         tool_versions,
         machines: rows(args, machines, |subject| {
             let folder = scratch.path().join(&subject.name);
@@ -133,8 +150,7 @@ struct CellFlow<'a> {
     yosys: &'a Yosys,
     sta: Sta,
     library: Library,
-    /// The assumed activity.
-    activity: f64,
+    options: Options,
     /// Where the netlists are simulated, on what.
     workload: Option<Workload>,
 }
@@ -149,7 +165,7 @@ impl CellFlow<'_> {
         } = self;
         let design = &subject.design;
         design.write(folder)?;
-        let figures = measure(yosys, sta, folder, design, library, self.activity)?;
+        let figures = measure(yosys, sta, folder, design, library, &self.options)?;
         let simulated = self.workload.as_ref().map(|workload| {
             let netlist = simulatable(yosys, folder, design, library)?;
             let simulation = workload.simulate(subject, &netlist)?;
@@ -244,8 +260,13 @@ pub fn faults(folder: &Path, subjects: &[Subject], all: bool) -> Result<Vec<Stri
 
 fn text(report: &Report) -> String {
     let mut text = format!(
-        "Standard cells of {}, {} transitions of a net in a clock cycle, no wires, no clock tree:\n{}\n",
+        "Standard cells of {}{}, {} transitions of a net in a clock cycle, no wires, no clock tree:\n{}\n",
         report.library,
+        if report.clock_gating {
+            " with clock gates"
+        } else {
+            ""
+        },
         report.activity,
         rows_table(&report.machines),
     );

@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::CLOCK;
+use super::gating;
 use super::library::{Library, Register};
 use crate::error::{Result, ensure, unexpected};
 use crate::netlist::{Netlist, connections};
@@ -48,11 +49,21 @@ pub(super) struct Told {
     pub netlist: Netlist,
     /// Tcl that gives each pin its activity.
     pub script: String,
+    /// Where there are clock gates, Tcl after which only the clocks of the registers behind them change, the list `stopped` has each of
+    /// these registers with the part of the clock's edges that do not reach it, and `stopped_nets` each clock gate.
+    pub gated: Option<String>,
     /// The mean transitions of a net in a clock cycle, without the clock.
     pub mean: f64,
 }
 
 impl Activity {
+    fn at_rest(self) -> Self {
+        Self {
+            transitions: 0.0,
+            ..self
+        }
+    }
+
     fn inverse(self) -> Self {
         Self {
             duty: 1.0 - self.duty,
@@ -76,17 +87,17 @@ pub(super) fn told(
     })?;
     let module = &mut netlist.json_mut()["modules"][top];
     let bits = of_bits(module, activities)?;
-    let clock = module["ports"][CLOCK]["bits"][0].as_u64();
-    let without_clock = bits.iter().filter(|(bit, _)| Some(**bit) != clock);
+    let gated = gating::gated_nets(module, library)?;
+    let clocks = gating::clocks(module, library)?;
+    let without_clock = bits.iter().filter(|(bit, _)| !clocks.contains(bit));
     let transitions: Vec<f64> = without_clock.map(|(_, of)| of.transitions).collect();
     let mean = transitions.iter().sum::<f64>() / transitions.len().max(1) as f64;
     let register = library.register();
     let sources = add_sources(module, register)?;
-    let mut script = String::new();
+    let [mut script, mut at_rest, mut stopped, mut stopped_nets] = [const { String::new() }; 4];
     for (name, cell) in module["cells"].as_object().into_iter().flatten() {
-        let mut connected = Vec::new();
+        let mut pins = Vec::new();
         for (pin, _, on) in connections(cell) {
-            connected.push(pin);
             let [bit] = on else {
                 return Err(unexpected(format!(
                     "found pin {pin} of {name} with {} bits",
@@ -94,7 +105,7 @@ pub(super) fn told(
                 )));
             };
             let bit = bit.as_u64().map(|bit| *sources.get(&bit).unwrap_or(&bit));
-            if bit.is_some() && bit == clock {
+            if bit.is_some_and(|bit| clocks.contains(&bit)) {
                 continue;
             }
             let activity = match (bit, on[0].as_str()) {
@@ -108,17 +119,41 @@ pub(super) fn told(
                     duty: f64::from(u8::from(level == Some("1"))),
                 },
             };
-            tell(&mut script, name, pin, activity);
+            pins.push((pin, activity));
             // The other output of a register takes its power whether it is connected or not.
             if cell["type"] == *register.cell.cell && pin == register.cell.output {
                 let others = register.inverse_outputs.iter();
-                others.for_each(|other| tell(&mut script, name, other, activity.inverse()));
+                pins.extend(others.map(|other| (other.as_str(), activity.inverse())));
             }
         }
+        for (pin, activity) in &pins {
+            tell(&mut script, name, pin, *activity);
+        }
+        let stopped_part = |net: &Value| {
+            let enable = net.as_u64().and_then(|net| gated.get(&net))?;
+            Some(1.0 - bits.get(enable)?.duty)
+        };
+        let on = &cell["connections"];
+        if let Some(part) = stopped_part(&on[&register.clock][0]) {
+            for (pin, activity) in &pins {
+                tell(&mut at_rest, name, pin, activity.at_rest());
+            }
+            let _ = writeln!(stopped, "  {name} {part:.9}");
+        }
+        let gate = library
+            .clock_gate()
+            .filter(|gate| cell["type"] == *gate.cell);
+        if let Some(part) = gate.and_then(|gate| stopped_part(&on[&gate.output][0])) {
+            let _ = writeln!(stopped_nets, "  {name} {part:.9}");
+        }
     }
+    let gated = (!gated.is_empty()).then(|| {
+        format!("{at_rest}set stopped {{\n{stopped}}}\nset stopped_nets {{\n{stopped_nets}}}\n")
+    });
     Ok(Told {
         netlist,
         script,
+        gated,
         mean,
     })
 }
@@ -160,6 +195,24 @@ fn of_bits(module: &Value, activities: &Activities) -> Result<BTreeMap<u64, Acti
     Ok(found)
 }
 
+/// Connects the inputs of cells that read a bit to the bit that takes its place.
+fn read_instead(module: &mut Value, replaced: &BTreeMap<u64, u64>) -> Result<()> {
+    let cells = module["cells"].as_object_mut();
+    let cells = cells.ok_or_else(|| unexpected("found no cells in the netlist"))?;
+    for cell in cells.values_mut() {
+        let directions = cell["port_directions"].clone();
+        for (pin, bits) in cell["connections"].as_object_mut().into_iter().flatten() {
+            let bits = bits.as_array_mut().into_iter().flatten();
+            for bit in bits.filter(|_| directions[pin] != "output") {
+                if let Some(new) = bit.as_u64().and_then(|bit| replaced.get(&bit)) {
+                    *bit = json!(new);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Puts a register between each input of the module and its readers. Returns the bit of the input by the bit that took its place.
 fn add_sources(module: &mut Value, register: &Register) -> Result<BTreeMap<u64, u64>> {
     let clock = module["ports"][CLOCK]["bits"][0].clone();
@@ -172,18 +225,7 @@ fn add_sources(module: &mut Value, register: &Register) -> Result<BTreeMap<u64, 
     let inputs: Vec<u64> = bits.filter_map(Value::as_u64).collect();
     let first = super::fanout::last_net(module) + 1;
     let replaced: BTreeMap<u64, u64> = inputs.iter().copied().zip(first..).collect();
-    let cells = module["cells"].as_object_mut();
-    let cells = cells.ok_or_else(|| unexpected("found no cells in the netlist"))?;
-    for cell in cells.values_mut() {
-        for on in cell["connections"].as_object_mut().into_iter().flatten() {
-            let bits = on.1.as_array_mut().into_iter().flatten();
-            for bit in bits {
-                if let Some(new) = bit.as_u64().and_then(|bit| replaced.get(&bit)) {
-                    *bit = json!(new);
-                }
-            }
-        }
-    }
+    read_instead(module, &replaced)?;
     let Register {
         cell, clock: pin, ..
     } = register;
@@ -193,13 +235,16 @@ fn add_sources(module: &mut Value, register: &Register) -> Result<BTreeMap<u64, 
             "port_directions": {&cell.input: "input", pin: "input", &cell.output: "output"},
             "connections": {&cell.input: [bit], pin: [clock], &cell.output: [new]}
         });
-        cells.insert(format!("{SOURCE}{index}"), source);
+        module["cells"][format!("{SOURCE}{index}")] = source;
+        module["netnames"][format!("behind_{SOURCE}{index}")] =
+            json!({"hide_name": 0, "bits": [new], "attributes": {}});
     }
     Ok(replaced.into_iter().map(|(bit, new)| (new, bit)).collect())
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::gating::ClockGate;
     use super::*;
 
     /// An inverter between an input `d` of two bits, of which one is read, and an output.
@@ -258,6 +303,41 @@ mod tests {
             cells["_1_"]["connections"]["A"],
             cells["source_1"]["connections"]["Q"]
         );
+    }
+
+    /// A register behind a clock gate whose enable is at 1 in 3 of 10 cycles.
+    #[test]
+    fn a_gated_register_is_listed_with_the_edges_that_do_not_reach_it() {
+        let mut netlist = netlist();
+        let module = &mut netlist.json_mut()["modules"]["top"];
+        module["cells"]["_4_"] = json!({"type": "GATE",
+            "port_directions": {"CK": "input", "E": "input", "GCK": "output"},
+            "connections": {"CK": [2], "E": [4], "GCK": [7]}});
+        module["cells"]["_2_"]["connections"]["CK"] = json!([7]);
+        module["netnames"]["_5_"] = json!({"bits": [7]});
+        let [cell, clock, enable, output] = ["GATE", "CK", "E", "GCK"].map(str::to_owned);
+        let library = Library::small().with_clock_gate(ClockGate {
+            cell,
+            clock,
+            enable,
+            output,
+        });
+        let told = told(netlist, "top", &library, &activities()).unwrap();
+        assert!(!told.script.contains("/CK]") && !told.script.contains("/GCK]"));
+        let gated = told.gated.unwrap();
+        let expected = [
+            "sta::set_power_pin_activity [get_pins _2_/D] 0.000000000 0.700000000",
+            "sta::set_power_pin_activity [get_pins _2_/Q] 0.000000000 0.600000000",
+            "sta::set_power_pin_activity [get_pins _2_/QN] 0.000000000 0.400000000",
+            "set stopped {",
+            "  _2_ 0.700000000",
+            "}",
+            "set stopped_nets {",
+            "  _4_ 0.700000000",
+            "}",
+        ];
+        assert_eq!(gated.lines().collect::<Vec<_>>(), expected);
+        assert!((told.mean - 0.3).abs() < 1e-12);
     }
 
     #[test]

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use super::CLOCK;
-use super::library::Cell;
+use super::gating;
+use super::library::{Cell, Library};
 use crate::error::{Result, unexpected};
 use crate::netlist::{Netlist, connections};
 
@@ -15,24 +15,25 @@ const MOST_READERS: usize = 12;
 /// A pin of a cell that reads a net.
 type Pin = (String, String);
 
-/// Gives each net of the top module, but the clock, at most [`MOST_READERS`] readers, of which outputs of the module do not count.
+/// Gives each net of the top module, but the clocks, at most [`MOST_READERS`] readers, of which outputs of the module do not count.
 /// Returns the number of buffers.
-pub(super) fn divide(netlist: &mut Netlist, top: &str, buffer: &Cell) -> Result<u64> {
+pub(super) fn divide(netlist: &mut Netlist, top: &str, library: &Library) -> Result<u64> {
     let module = &mut netlist.json_mut()["modules"][top];
     if !module["cells"].is_object() {
         return Err(unexpected(format!(
             "found no cells of {top} in the netlist"
         )));
     }
-    let clock = module["ports"][CLOCK]["bits"][0].as_u64();
+    gating::divide(module, library)?;
+    let clocks = gating::clocks(module, library)?;
     let mut tree = Tree {
         next_net: last_net(module) + 1,
         buffers: 0,
-        buffer,
+        buffer: library.buffer(),
         cells: &mut module["cells"],
     };
     for (net, pins) in readers(tree.cells) {
-        if Some(net) != clock {
+        if !clocks.contains(&net) {
             tree.divide(net, pins);
         }
     }
@@ -79,7 +80,7 @@ impl Tree<'_> {
 }
 
 /// The pins that read each net. All pins of mapped cells are one bit wide.
-fn readers(cells: &Value) -> BTreeMap<u64, Vec<Pin>> {
+pub(super) fn readers(cells: &Value) -> BTreeMap<u64, Vec<Pin>> {
     let mut readers: BTreeMap<u64, Vec<Pin>> = BTreeMap::new();
     for (name, cell) in cells.as_object().into_iter().flatten() {
         for (pin, is_output, bits) in connections(cell) {
@@ -97,8 +98,14 @@ fn readers(cells: &Value) -> BTreeMap<u64, Vec<Pin>> {
 /// The largest number of a net in the module.
 pub(super) fn last_net(module: &Value) -> u64 {
     let nets = module["netnames"].as_object().into_iter().flatten();
-    let bits = nets.flat_map(|(_, net)| net["bits"].as_array().into_iter().flatten());
-    bits.filter_map(Value::as_u64).max().unwrap_or(0)
+    let named = nets.flat_map(|(_, net)| net["bits"].as_array().into_iter().flatten());
+    let cells = module["cells"].as_object().into_iter().flatten();
+    let on_cells = cells.flat_map(|(_, cell)| connections(cell).flat_map(|(_, _, bits)| bits));
+    named
+        .chain(on_cells)
+        .filter_map(Value::as_u64)
+        .max()
+        .unwrap_or(0)
 }
 
 #[cfg(test)]
@@ -121,12 +128,13 @@ mod tests {
             "netnames": {"all": {"bits": (2..4 + readers).collect::<Vec<_>>()}}}}}))
     }
 
-    fn buffer() -> Cell {
-        Cell {
-            cell: "BUF".to_owned(),
-            input: "A".to_owned(),
-            output: "Y".to_owned(),
-        }
+    fn library() -> Library {
+        let [cell, input, output] = ["BUF", "A", "Y"].map(str::to_owned);
+        Library::small().with_buffer(Cell {
+            cell,
+            input,
+            output,
+        })
     }
 
     /// The net that a pin reads in the end, through all buffers.
@@ -146,7 +154,7 @@ mod tests {
     fn no_net_has_too_many_readers_and_all_read_the_old_net() {
         for (count, buffers) in [(12, 0), (13, 2), (144, 12), (145, 15), (1000, 91)] {
             let mut netlist = netlist(count);
-            assert_eq!(divide(&mut netlist, "top", &buffer()).unwrap(), buffers);
+            assert_eq!(divide(&mut netlist, "top", &library()).unwrap(), buffers);
             let cells = &netlist.json()["modules"]["top"]["cells"];
             let readers = readers(cells);
             assert_eq!(readers[&2].len(), count + 1, "the clock is not divided");
@@ -161,6 +169,6 @@ mod tests {
 
     #[test]
     fn a_netlist_without_the_top_module_is_an_error() {
-        assert!(divide(&mut netlist(1), "other", &buffer()).is_err());
+        assert!(divide(&mut netlist(1), "other", &library()).is_err());
     }
 }

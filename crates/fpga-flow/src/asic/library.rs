@@ -5,6 +5,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::LIBERTY;
+use super::gating::{self, ClockGate};
 use crate::area::areas_of_modules;
 use crate::error::{Result, read, unexpected, write};
 use crate::netlist::digest::hexadecimal;
@@ -19,6 +20,7 @@ pub struct Library {
     nand2_area: f64,
     register: Register,
     buffer: Cell,
+    clock_gate: Option<ClockGate>,
 }
 
 /// The register of a library.
@@ -74,6 +76,9 @@ impl Library {
              tee -q -o probe-stat.json stat -liberty {LIBERTY} -json"
         );
         yosys.run(scratch, &script)?;
+        write(&scratch.join("gate-probe.v"), gating::PROBE)?;
+        yosys.run(scratch, &gating::probe_script(LIBERTY))?;
+        let gate = Netlist::parse(&read(&scratch.join("gate-probe.json"))?)?;
         let areas = areas_of_modules(&read(&scratch.join("probe-stat.json"))?)?;
         let nand2_area = areas.get("nand2").copied().filter(|area| *area > 0.0);
         let nand2_area = nand2_area.ok_or_else(|| found("no NAND with two inputs"))?;
@@ -83,6 +88,7 @@ impl Library {
             register: register(&probe, &known).ok_or_else(|| found("no register"))?,
             buffer: buffer(&known, LARGEST_BUFFER * nand2_area)
                 .ok_or_else(|| found("no buffer"))?,
+            clock_gate: ClockGate::of_probe(&gate),
             name,
             text,
             nand2_area,
@@ -116,6 +122,16 @@ impl Library {
 
     pub(super) fn register(&self) -> &Register {
         &self.register
+    }
+
+    /// The name of the cell that gates clocks, if the library has one.
+    #[must_use]
+    pub fn clock_gate_name(&self) -> Option<&str> {
+        self.clock_gate.as_ref().map(|gate| gate.cell.as_str())
+    }
+
+    pub(super) fn clock_gate(&self) -> Option<&ClockGate> {
+        self.clock_gate.as_ref()
     }
 
     pub(super) fn buffer(&self) -> &Cell {
@@ -187,6 +203,17 @@ fn buffer(library: &Netlist, most: f64) -> Option<Cell> {
 
 #[cfg(test)]
 impl Library {
+    pub(super) fn with_buffer(self, buffer: Cell) -> Self {
+        Self { buffer, ..self }
+    }
+
+    pub(super) fn with_clock_gate(self, gate: ClockGate) -> Self {
+        Self {
+            clock_gate: Some(gate),
+            ..self
+        }
+    }
+
     /// A library of a register alone.
     pub(super) fn small() -> Self {
         let [cell, input, output] = ["DFF", "D", "Q"].map(str::to_owned);
@@ -200,6 +227,7 @@ impl Library {
             text: String::new(),
             nand2_area: 1.0,
             buffer: cell.clone(),
+            clock_gate: None,
             register: Register {
                 cell,
                 clock: "CK".to_owned(),

@@ -6,6 +6,7 @@
 
 mod activity;
 mod fanout;
+mod gating;
 mod library;
 mod timing;
 mod wrong_cell;
@@ -16,7 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::area::Stat;
 use crate::design::Design;
-use crate::error::{Result, read, unexpected, write};
+use crate::error::{Result, ensure, read, unexpected, write};
 use crate::netlist::Netlist;
 use crate::yosys::Yosys;
 
@@ -66,6 +67,8 @@ pub struct CellFigures {
     pub cells: u64,
     /// The number of buffers that divide nets from registers and ports.
     pub fanout_buffers: u64,
+    /// The number of clock gates.
+    pub clock_gates: u64,
     /// The shortest clock period, in nanoseconds.
     pub period_ns: f64,
     /// The energy of a clock cycle in the registers, in picojoules.
@@ -97,8 +100,17 @@ impl CellFigures {
     }
 }
 
-/// Maps a design, whose files are in the folder (see [`Design::write`]), to the library's cells, and measures it. Each net makes
-/// `activity` transitions in a clock cycle.
+/// How a design is mapped and measured.
+#[derive(Copy, Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The transitions of each net in a clock cycle.
+    pub activity: f64,
+    /// Whether the registers of an enable get a clock gate, so that an edge of the clock reaches them only where it is 1. The energies of
+    /// [`measure`] do not know of this: they take every register for enabled.
+    pub clock_gating: bool,
+}
+
+/// Maps a design, whose files are in the folder (see [`Design::write`]), to the library's cells, and measures it.
 ///
 /// # Errors
 /// Yosys or OpenSTA fails, or the library lacks a kind of cell.
@@ -108,19 +120,32 @@ pub fn measure(
     folder: &Path,
     design: &Design,
     library: &Library,
-    activity: f64,
+    options: &Options,
 ) -> Result<CellFigures> {
+    ensure(
+        !options.clock_gating || library.clock_gate().is_some(),
+        || {
+            let library = library.name();
+            format!(
+                "found no clock gate in the library {library}, expected a cell with `clock_gating_integrated_cell`"
+            )
+        },
+    )?;
     write(&folder.join(LIBERTY), &library.text())?;
-    let fanout_buffers = map(yosys, folder, design, library)?;
+    let fanout_buffers = map(yosys, folder, design, library, options.clock_gating)?;
     let stat = Stat::parse(&read(&folder.join("stat.json"))?)?;
     let [area, register_area] = stat.areas()?;
-    let times = sta.measure(folder, &design.top, library, activity)?;
+    let times = sta.measure(folder, &design.top, library, options.activity)?;
+    let gates = library
+        .clock_gate_name()
+        .and_then(|gate| stat.cells.get(gate));
     Ok(CellFigures {
         area,
         register_area,
         gate_equivalents: area / library.nand2_area(),
         cells: stat.cells.values().sum(),
         fanout_buffers,
+        clock_gates: gates.copied().unwrap_or(0),
         period_ns: times.period_ns,
         register_energy_pj: times.registers.cycle_energy_pj(),
         logic_energy_pj: times.logic.cycle_energy_pj(),
@@ -152,7 +177,7 @@ pub fn measure_simulated(
         design.top
     );
     yosys.run(folder, &script)?;
-    let [registers, logic] = sta.powers(folder, &design.top)?;
+    let [registers, logic] = sta.powers(folder, &design.top, told.gated.as_deref())?;
     let figures = CellFigures {
         register_energy_pj: registers.cycle_energy_pj(),
         logic_energy_pj: logic.cycle_energy_pj(),
@@ -189,8 +214,11 @@ pub fn simulatable(
     );
     yosys.run(folder, &script)?;
     let [netlist, models] = [WITH_PORTS, "models.v"].map(|file| read(&folder.join(file)));
-    let text = netlist? + &models?;
+    let mut text = netlist? + &models?;
     let mapped = Netlist::parse(&read(&folder.join(MAPPED))?)?;
+    if let Some(gate) = library.clock_gate() {
+        text += &gate.model(&mapped.json()["modules"][&gate.cell]);
+    }
     Ok(Simulatable {
         control: wrong_cell::plant(&mapped, &design.top, library, &text)?,
         netlist_sha256: mapped.sha256()?,
@@ -199,20 +227,30 @@ pub fn simulatable(
 }
 
 /// Maps the design and writes its netlist. Returns the number of buffers behind registers and ports.
-fn map(yosys: &Yosys, folder: &Path, design: &Design, library: &Library) -> Result<u64> {
+fn map(
+    yosys: &Yosys,
+    folder: &Path,
+    design: &Design,
+    library: &Library,
+    clock_gating: bool,
+) -> Result<u64> {
     let top = &design.top;
     write(&folder.join(SCRIPT), &format!("{MAPPING}\n"))?;
     let ends = format!("set_driving_cell {}\n", library.register().cell.cell);
     write(&folder.join(CONSTRAINTS), &ends)?;
+    let gates = match clock_gating {
+        true => gating::script(LIBERTY) + "; ",
+        false => String::new(),
+    };
     let registers = format!(
         "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; \
-         dfflegalize -cell $_DFF_P_ 0; opt_clean; dfflibmap -liberty {LIBERTY}; \
+         {gates}dfflegalize -cell $_DFF_P_ 0 ; opt_clean; dfflibmap -liberty {LIBERTY}; \
          abc -g AND,NAND,OR,NOR,XOR,XNOR,MUX; opt_clean -purge; write_json gates.json",
         design.read_commands("any")
     );
     yosys.run(folder, &registers)?;
     let mut netlist = Netlist::parse(&read(&folder.join("gates.json"))?)?;
-    let buffers = fanout::divide(&mut netlist, top, library.buffer())?;
+    let buffers = fanout::divide(&mut netlist, top, library)?;
     write(&folder.join("divided.json"), &netlist.to_string())?;
     let logic = format!(
         "read_json divided.json; hierarchy -top {top}; \

@@ -33,8 +33,10 @@ pub(super) struct Times {
 /// The power of some cells at the clock period [`PERIOD_NS`].
 #[derive(Copy, Clone, Debug, PartialEq)]
 pub(super) struct Power {
-    /// What switches, in watts.
-    pub dynamic_w: f64,
+    /// What switches in the cells, in watts.
+    pub internal_w: f64,
+    /// What switches on the nets that the cells drive, in watts.
+    pub switching_w: f64,
     /// What flows at rest, in watts.
     pub leakage_w: f64,
 }
@@ -49,11 +51,13 @@ const PERIOD_NS: f64 = 10.0;
 
 /// The name of the row with the powers of the registers behind inputs.
 const SOURCES: &str = "Sources";
+/// The name of the row with the power that registers behind clock gates do not take.
+const STOPPED: &str = "Stopped";
 
 impl Power {
     /// The energy of a clock cycle, in picojoules.
     pub(super) fn cycle_energy_pj(self) -> f64 {
-        1e3 * self.dynamic_w * PERIOD_NS
+        1e3 * (self.internal_w + self.switching_w) * PERIOD_NS
     }
 }
 
@@ -87,11 +91,27 @@ impl Sta {
 
     /// The powers of the registers and of the logic of the netlist [`POWERED`] at the activities that [`ACTIVITIES`] gives its pins,
     /// without the registers behind its inputs.
-    pub(super) fn powers(&self, folder: &Path, top: &str) -> Result<[Power; 2]> {
-        let file = "powers.tcl";
-        write(&folder.join(file), &powers_script(top))?;
-        let said = run(&self.path, ["-no_splash", "-exit", file], folder)?;
-        powers(&said)
+    ///
+    /// OpenSTA takes every register behind a clock gate for one that each edge of the clock reaches. `gated` is
+    /// [`Told::gated`](super::activity::Told::gated), by which the energy of the edges that do not is subtracted.
+    pub(super) fn powers(
+        &self,
+        folder: &Path,
+        top: &str,
+        gated: Option<&str>,
+    ) -> Result<[Power; 2]> {
+        let run_script = |file: &str, script: String| -> Result<String> {
+            write(&folder.join(file), &script)?;
+            Ok(run(&self.path, ["-no_splash", "-exit", file], folder)?)
+        };
+        let [mut registers, mut logic] = powers(&run_script("powers.tcl", powers_script(top))?)?;
+        if let Some(gated) = gated {
+            let said = run_script("stopped.tcl", stopped_script(top, gated))?;
+            let stopped = power(&said, STOPPED)?;
+            registers.internal_w -= stopped.internal_w;
+            logic.switching_w -= stopped.switching_w;
+        }
+        Ok([registers, logic])
     }
 }
 
@@ -121,6 +141,26 @@ foreach source [get_cells -quiet {SOURCE}*] {{
   set leakage [expr {{$leakage + $rest}}]
 }}
 puts \"{SOURCES} $internal $switching $leakage [expr {{$internal + $switching + $leakage}}]\"
+"
+    )
+}
+
+/// The power of the clock edges that do not reach the registers behind clock gates, and of the nets to them, see [`Sta::powers`].
+fn stopped_script(top: &str, gated: &str) -> String {
+    let linked = linked(POWERED, top);
+    format!(
+        "{linked}source {ACTIVITIES}
+{gated}set internal 0.0
+foreach {{register part}} $stopped {{
+  lassign [sta::instance_power [get_cells $register] [sta::cmd_corner]] in through rest
+  set internal [expr {{$internal + $part * $in}}]
+}}
+set switching 0.0
+foreach {{gate part}} $stopped_nets {{
+  lassign [sta::instance_power [get_cells $gate] [sta::cmd_corner]] in through rest
+  set switching [expr {{$switching + $part * $through}}]
+}}
+puts \"{STOPPED} $internal $switching 0.0 [expr {{$internal + $switching}}]\"
 "
     )
 }
@@ -169,7 +209,8 @@ fn times(said: &str) -> Result<Times> {
 fn powers(said: &str) -> Result<[Power; 2]> {
     let [all, sources] = [power(said, "Sequential")?, power(said, SOURCES)?];
     let registers = Power {
-        dynamic_w: all.dynamic_w - sources.dynamic_w,
+        internal_w: all.internal_w - sources.internal_w,
+        switching_w: all.switching_w - sources.switching_w,
         leakage_w: all.leakage_w - sources.leakage_w,
     };
     Ok([registers, power(said, "Combinational")?])
@@ -195,7 +236,8 @@ fn row(said: &str, name: &str) -> Result<Vec<f64>> {
 fn power(said: &str, name: &str) -> Result<Power> {
     match row(said, name)?[..] {
         [internal, switching, leakage, _total] => Ok(Power {
-            dynamic_w: OVERCOUNT * internal + switching,
+            internal_w: OVERCOUNT * internal,
+            switching_w: switching,
             leakage_w: leakage,
         }),
         _ => Err(unexpected(format!(

@@ -83,7 +83,11 @@ fn a_netlist_is_simulated_and_its_activities_are_told() {
     let design = &subject.design;
     design.write(folder).unwrap();
     let (yosys, sta) = (tools.yosys(), Sta::find(folder).unwrap());
-    let figures = measure(yosys, &sta, folder, design, &library, ACTIVITY).unwrap();
+    let options = Options {
+        activity: ACTIVITY,
+        clock_gating: false,
+    };
+    let figures = measure(yosys, &sta, folder, design, &library, &options).unwrap();
     let netlist = simulatable(yosys, folder, design, &library).unwrap();
     let mut workload = Workload::of(&OsString::from("cornell").into()).unwrap();
     (workload.clocks, workload.random_iterations) = (1.0, 20);
