@@ -20,7 +20,7 @@ for option; do
             printf '  --place-cores    also place cores of one chain and of six: two hours\n'
             printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
             printf '                   million random groups: an hour\n'
-            printf '  --liberty=FILE   also measure the machines in these standard cells, beside those of osu018: half an hour\n'
+            printf '  --liberty=FILE   also measure the machines in these standard cells, which have clock gates, beside those of\n                   osu018: half an hour\n'
             [[ $option == -h || $option == --help ]] && exit 0
             exit 2
             ;;
@@ -81,14 +81,20 @@ for folder in hdl-out/*/; do
 done
 # Area, clock and energy in standard cells, also at the activities of a simulation, which would take a chain of 32 or 64 engines an hour.
 # A photon memory would be some hundred thousand registers, as these libraries have no RAM.
-in_cells=() longest=(--machine tile-9 --machine tile-10)
+in_cells=()
 for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8} \
     stream-shallow-local8-rgb8d-n16384 tile-{6,7}-shallow-local7-rgb6d-n4096; do
     in_cells+=(--machine "$machine")
 done
 measure_in_cells() {
     target/release/photoncube synth --asic --activity-of cornell "$@" "${in_cells[@]}" --json >target/measured/asic.json
-    target/release/photoncube synth --asic "$@" "${longest[@]}" --json >target/measured/asic-longest.json
+    local library
+    library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic.json)
+    cp target/measured/asic.json "docs/measured/asic-$library.json"
+}
+# The longest chains, added to the file of osu018.
+measure_longest_chains() {
+    target/release/photoncube synth --asic --machine tile-9 --machine tile-10 --json >target/measured/asic-longest.json
     python3 - target/measured/asic.json target/measured/asic-longest.json <<'PYTHON'
 import json, sys
 
@@ -99,8 +105,18 @@ with open(f"docs/measured/asic-{report['library']}.json", "w") as file:
 PYTHON
 }
 measure_in_cells
+measure_longest_chains
+# Of some machines also with clock gates, which osu018 has none of.
 if [[ -n $liberty ]]; then
     measure_in_cells --liberty "$liberty"
+    gated=()
+    for machine in paper local fit-ring overlap stream stream-shallow-local8-rgb8d-n16384 tile-6 tile-6-shallow-local7-rgb6d-n4096; do
+        gated+=(--machine "$machine")
+    done
+    target/release/photoncube synth --asic --clock-gating --activity-of cornell --liberty "$liberty" "${gated[@]}" --json \
+        >target/measured/asic-gated.json
+    library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic-gated.json)
+    cp target/measured/asic-gated.json "docs/measured/asic-$library-gated.json"
 fi
 # The area of chains, from which `fit` and `run` compute how many a device holds.
 chains=()
