@@ -79,7 +79,7 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
-# Area, clock and energy in standard cells, also at the activities of a simulation, which would take a chain of 32 or 64 engines an hour.
+# Area, clock and energy in standard cells, also at the activities of a simulation. Longer chains consist of engines of these.
 # A photon memory would be some hundred thousand registers, as these libraries have no RAM.
 in_cells=()
 for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8} \
@@ -92,20 +92,7 @@ measure_in_cells() {
     library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic.json)
     cp target/measured/asic.json "docs/measured/asic-$library.json"
 }
-# The longest chains, added to the file of osu018.
-measure_longest_chains() {
-    target/release/photoncube synth --asic --machine tile-9 --machine tile-10 --json >target/measured/asic-longest.json
-    python3 - target/measured/asic.json target/measured/asic-longest.json <<'PYTHON'
-import json, sys
-
-report, longest = (json.load(open(name)) for name in sys.argv[1:])
-report["machines"] += longest["machines"]
-with open(f"docs/measured/asic-{report['library']}.json", "w") as file:
-    file.write(json.dumps(report, indent=2, ensure_ascii=False) + "\n")
-PYTHON
-}
 measure_in_cells
-measure_longest_chains
 # Of some machines also with clock gates, which osu018 has none of.
 if [[ -n $liberty ]]; then
     measure_in_cells --liberty "$liberty"

@@ -26,12 +26,12 @@ pub(super) struct ClockGate {
     pub output: String,
 }
 
-/// A module by which the library shows its clock gate, for [`probe_script`].
+/// A module of eight registers with an enable, by which the library shows its clock gate.
 pub(super) const PROBE: &str = "\
 module gated(input clock, input e, input [7:0] d, output reg [7:0] q); always @(posedge clock) if (e) q <= d; endmodule
 ";
 
-/// The commands that map [`PROBE`], for a design without a library's gate too.
+/// The commands that map [`PROBE`] and write it to gate-probe.json.
 pub(super) fn probe_script(liberty: &str) -> String {
     format!(
         "design -reset; read_liberty -lib -ignore_miss_func {liberty}; read_verilog gate-probe.v; synth -top gated; {}; \
@@ -147,4 +147,43 @@ pub(super) fn clocks(module: &Value, library: &Library) -> Result<BTreeSet<u64>>
     let clock = module["ports"][super::CLOCK]["bits"][0].as_u64();
     let gated = gated_nets(module, library)?;
     Ok(gated.into_keys().chain(clock).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn library() -> Library {
+        let [cell, clock, enable, output] = ["GATE", "CK", "E", "GCK"].map(str::to_owned);
+        Library::small().with_clock_gate(ClockGate {
+            cell,
+            clock,
+            enable,
+            output,
+        })
+    }
+
+    #[test]
+    fn a_gate_of_many_registers_gets_copies_with_its_enable() {
+        let mut cells = json!({"_1_": {"type": "GATE",
+            "port_directions": {"CK": "input", "E": "input", "GCK": "output"},
+            "connections": {"CK": [2], "E": [3], "GCK": [4]}}});
+        for register in 0..40 {
+            cells[format!("register_{register}")] = json!({"type": "DFF",
+                "port_directions": {"CK": "input", "D": "input", "Q": "output"},
+                "connections": {"CK": [4], "D": [3], "Q": [5 + register]}});
+        }
+        let mut module = json!({"ports": {"clock": {"direction": "input", "bits": [2]}}, "cells": cells, "netnames": {}});
+        divide(&mut module, &library()).unwrap();
+
+        let gated = gated_nets(&module, &library()).unwrap();
+        assert_eq!(gated.values().collect::<Vec<_>>(), [&3; 3]);
+        let readers = fanout::readers(&module["cells"]);
+        let mut counts: Vec<_> = gated.keys().map(|net| readers[net].len()).collect();
+        counts.sort_unstable();
+        assert_eq!(counts, [8, MOST_REGISTERS, MOST_REGISTERS]);
+        // The clock is read by the gates alone.
+        assert_eq!(readers[&2].len(), 3);
+        assert_eq!(clocks(&module, &library()).unwrap().len(), 4);
+    }
 }
