@@ -21,7 +21,7 @@ Usage: scripts/asic/layout.sh [MACHINE] [--cells FILE] [--density X] [--seed N] 
 Lays out MACHINE (default: fit-ring, the smallest) in the cells osu018: the netlist of \`photoncube synth --asic\`, placed by
 graywolf, routed by qrouter, and made into GDS by magic. Checks the GDS: design rules by magic, and its transistors against the
 netlist by netgen; both checks must also find faults that the script plants. Computes the clock with the wires by OpenSTA, and draws
-a picture. \`fit-ring\` takes a quarter of an hour for each seed, on one core. Installs what is missing by \`scripts/setup.sh --layout\`.
+a picture. \`fit-ring\` takes 8 minutes, on one core, and 5 more for each further seed. Installs what is missing by \`scripts/setup.sh --layout\`.
 
   --cells FILE  the geometry of the cells: $CELLS_FROM;
                 it is kept, so that later calls need no --cells
@@ -168,11 +168,11 @@ make_layout() {
     grep -qx 'DRC errors: 0' "$flow/layout/drc.txt"
 }
 
-begin "placement without a clock tree, which shows what registers are near each other (3 minutes)"
+begin "placement without a clock tree, which shows what registers are near each other (2 minutes)"
 netlist --no-clock-tree
 place "$QFLOW_SEED" place-near.log
 mv "$flow/layout/${name}_unroute.def" "$flow/near.def"
-begin "placement, routing, and design rules, as it is and with a planted sliver of metal (10 minutes for each seed)"
+begin "placement, routing, and design rules, as it is and with a planted sliver of metal (5 minutes for each seed)"
 netlist --near "$flow/near.def"
 last=$((seed + MOST_TRIES))
 while true; do

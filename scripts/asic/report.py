@@ -42,13 +42,14 @@ def sha256(path):
 
 
 def design_rules(path):
-    """The errors of the layout, and those with the planted fault."""
+    """The errors of the layout, those with the planted fault, and the pieces of metal that were made larger."""
     text = path.read_text()
     found, planted = (int(number(text, path, f"DRC errors{of}")) for of in ("", " with a planted sliver"))
     expect(number(text, path, "kinds of cells") > 1, f"{path}: found no cells, expected a layout with cells")
     expect(found == 0, f"{path}: found {found} errors against the design rules, expected none")
     expect(planted > 0, f"{path}: found no error with a planted sliver, expected one: the check is blind")
-    return {"drc_errors": found, "drc_errors_planted": planted}
+    patches = len(re.findall(r"^patch of metal", text, re.M))
+    return {"drc_errors": found, "drc_errors_planted": planted, "metal_patches": patches}
 
 
 class Comparison:

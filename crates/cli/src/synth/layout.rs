@@ -59,6 +59,7 @@ mod tests {
         wire_capacitance_pf: f64,
         drc_errors: u64,
         drc_errors_planted: u64,
+        metal_patches: usize,
         lvs: String,
         lvs_cells: u64,
         lvs_nets: u64,
@@ -138,6 +139,10 @@ mod tests {
                 format!("{:.2} ns", layout.hold_slack_ns),
             ),
             (
+                "pieces of metal made larger",
+                layout.metal_patches.to_string(),
+            ),
+            (
                 "errors against the design rules",
                 layout.drc_errors.to_string(),
             ),
@@ -197,6 +202,8 @@ mod tests {
                 errors(" with a planted sliver", layout.drc_errors_planted),
                 "{file}"
             );
+            let patches = rules.matches("\npatch of metal").count();
+            assert_eq!(patches, layout.metal_patches, "{file}");
             let comparison = log("lvs");
             for expected in [
                 format!("Number of devices: {} ", layout.lvs_cells),
