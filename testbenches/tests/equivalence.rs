@@ -14,20 +14,15 @@ use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
 
 use extent::Extent;
 
-/// The machines whose netlists are simulated: those of which all devices run, and the widest numbers relative to
-/// the search radius. Those of the others are compared by `photoncube verify placed`, part by part in `parts`.
-fn has_netlist_trial(machine: &Machine) -> bool {
-    Extent::of(machine) == Extent::Full || machine.name == "local-half"
-}
-
-/// The iterations on random stimulus.
+/// The iterations on random stimulus. The netlists are those of the machines of which all devices run; those of
+/// the others are compared by `photoncube verify placed`, part by part in `parts`.
 fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
-        DeviceKind::RustHdl => [5_000, 1_000, 50, 0],
+        DeviceKind::RustHdl => [2_000, 400, 20, 0],
         DeviceKind::Text => [20_000, 2_000, 500, 50],
-        DeviceKind::Icarus => [1_000, 100, 50, 0],
+        DeviceKind::Icarus => [200, 50, 20, 0],
         DeviceKind::Verilator => [100_000, 0, 0, 0],
-        DeviceKind::Netlist => [100, 50, 0, 0],
+        DeviceKind::Netlist => [100, 0, 0, 0],
     };
     chosen(extent, iterations)
 }
@@ -36,9 +31,9 @@ fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
 /// stimulus exercises better.
 fn scene_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
-        DeviceKind::RustHdl => [1_000, 250, 0, 0],
+        DeviceKind::RustHdl => [500, 100, 0, 0],
         DeviceKind::Text => [5_000, 1_000, 0, 0],
-        DeviceKind::Icarus => [250, 50, 0, 0],
+        DeviceKind::Icarus => [100, 25, 0, 0],
         DeviceKind::Verilator => [50_000, 0, 0, 0],
         DeviceKind::Netlist => [0; 4],
     };
@@ -87,11 +82,9 @@ fn main() {
             let Some(iterations) = iterations else {
                 continue;
             };
-            if kind != DeviceKind::Netlist || has_netlist_trial(machine) {
-                let name = format!("random::{}::{kind}", machine.name);
-                let run = move || random(machine, kind, iterations);
-                trials.push(support::trial(name, kind, run));
-            }
+            let name = format!("random::{}::{kind}", machine.name);
+            let run = move || random(machine, kind, iterations);
+            trials.push(support::trial(name, kind, run));
         }
     }
     for machine in MACHINES {

@@ -45,12 +45,7 @@ const QUICK: &[(&str, &[&str])] = &[
     ("tile-4", &["units::", "sums::"]),
     (
         "tile-6-mixed",
-        &[
-            "units::",
-            "memory::sets",
-            "netlist::memory",
-            "netlist::square_table",
-        ],
+        &["units::", "memory::sets", "netlist::memory"],
     ),
 ];
 

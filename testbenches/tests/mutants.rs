@@ -9,7 +9,7 @@ use photoncube_testbench::{
 };
 
 /// The number of mutants. `photoncube verify mutants` judges more, and those of other machines.
-const MUTANTS: u64 = 24;
+const MUTANTS: u64 = 12;
 
 fn main() {
     let subjects = [
