@@ -79,18 +79,26 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
-# Area, clock and energy in standard cells, also at the activities of a simulation. Longer chains consist of engines of these.
-# A photon memory would be some hundred thousand registers, as these libraries have no RAM.
+# Area, clock and energy in standard cells, also at the activities of a simulation. Icarus read the netlist of tile-10 for 20 minutes
+# without an end, so it is not simulated. A photon memory would be some hundred thousand registers, as these libraries have no RAM.
 in_cells=()
-for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8} \
+for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8,9} \
     stream-shallow-local8-rgb8d-n16384 tile-{6,7}-shallow-local7-rgb6d-n4096; do
     in_cells+=(--machine "$machine")
 done
 measure_in_cells() {
     target/release/photoncube synth --asic --activity-of cornell "$@" "${in_cells[@]}" --json >target/measured/asic.json
-    local library
-    library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic.json)
-    cp target/measured/asic.json "docs/measured/asic-$library.json"
+    target/release/photoncube synth --asic "$@" --machine tile-10 --json >target/measured/asic-tile-10.json
+    python3 - target/measured/asic.json target/measured/asic-tile-10.json <<'JOIN'
+import json
+import sys
+
+simulated, more = (json.load(open(path)) for path in sys.argv[1:])
+simulated["machines"] += more["machines"]
+path = f"docs/measured/asic-{simulated['library']}.json"
+with open(path, "w") as file:
+    file.write(json.dumps(simulated, indent=2) + "\n")
+JOIN
 }
 measure_in_cells
 # Of some machines also with clock gates, which osu018 has none of.
