@@ -18,7 +18,7 @@ proc errors {} {
     drc catchup
     drc list count total
 }
-# qrouter ends some wires in a via whose metal below reaches nothing. That metal has the size of the via, which is less than the least
+# qrouter leaves some vias whose metal below reaches nothing else. That metal has the size of the via, which is less than the least
 # area of a piece of metal. One lambda more at a side is enough, and the tracks leave that much room at most sides. The place is a box
 # in lambda. Returns whether fewer errors are left.
 proc patch {metal place} {
