@@ -97,13 +97,13 @@ stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
 stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 stage "build" cargo test --locked --workspace --no-run --quiet
 stage "examples" examples
+stage "all Verilog" all_verilog
 ((${#streams[@]} == 0)) || finish set_up "${streams[0]}"
 streams=()
 
 # Two streams, because most checks wait for one simulator or one Yosys at a time. Every test is in one of them:
 # the second has the test files that the first leaves out.
 first_stream() {
-    stage "all Verilog" all_verilog
     stage "test files a to d" cargo test --locked --workspace --test '[a-d]*' -- --include-ignored
     stage "unit tests" cargo test --locked --workspace --lib --bins -- --include-ignored
     stage "doc tests" cargo test --locked --workspace --doc
@@ -118,7 +118,6 @@ second_stream() {
     stage "cores by standard tools" scripts/core/check.sh
     stage "board" scripts/board/check.sh
     stage "engines of clusters" scripts/cluster/check.sh
-    # The first stream has written all Verilog long before, as its first stage.
     stage "second texts" scripts/yosys/ecp5.sh
 }
 

@@ -6,21 +6,21 @@ proc say {line} {
     puts $::report $line
     puts $line
 }
-proc check {title} {
-    say "$title: [errors]"
-    foreach {rule places} [drc listall why] {
-        say "    $rule: [llength $places] places, the first at [lindex $places 0]"
-    }
-}
 proc errors {} {
     select top cell
     drc check
     drc catchup
     drc list count total
 }
+proc check {title} {
+    say "$title: [errors]"
+    foreach {rule places} [drc listall why] {
+        say "    $rule: [llength $places] places, the first at [lindex $places 0]"
+    }
+}
 # qrouter leaves some vias whose metal below reaches nothing else. That metal has the size of the via, which is less than the least
 # area of a piece of metal. One lambda more at a side is enough, and the tracks leave that much room at most sides. The place is a box
-# in lambda. Returns whether fewer errors are left.
+# in lambda. A side that leaves as many errors is taken back.
 proc patch {metal place} {
     lassign $place left bottom right top
     set before [errors]
@@ -31,12 +31,11 @@ proc patch {metal place} {
         paint $metal
         if {[errors] < $before} {
             say "patch of $metal: $side"
-            return 1
+            return
         }
         box {*}$side
         erase $metal
     }
-    return 0
 }
 proc patch_small_pieces {} {
     foreach {rule places} [drc listall why] {

@@ -14,8 +14,8 @@ use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
 
 use extent::Extent;
 
-/// The iterations on random stimulus. The netlists are those of the machines of which all devices run; those of
-/// the others are compared by `photoncube verify placed`, part by part in `parts`.
+/// The iterations on random stimulus. Only machines that run in all devices have their netlist simulated here:
+/// `parts` compares the netlist of each part of the others, and `photoncube verify placed` all of it.
 fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
         DeviceKind::RustHdl => [2_000, 400, 20, 0],

@@ -14,18 +14,15 @@ use extent::Extent;
 
 type Workload = Vec<(Query, Vec<Photon>)>;
 
-/// The iterations of each case, which begin with its first photon, by the device's speed. The simulators of
-/// Verilog run one machine of each organisation, Icarus also one whose numbers are relative to the search radius;
-/// the evaluator runs the emitted text of every machine. Verilator runs all iterations, up to the most photons that
-/// a machine declares.
+/// The iterations of each case, which begin with its first photon, by the device's speed. Verilator runs all
+/// of them, up to the most photons that a machine declares, in one machine of each organisation.
 fn iterations_of_a_case(machine: &Machine, kind: DeviceKind) -> usize {
-    let of_its_kind = Extent::of(machine) == Extent::Full;
     match kind {
         DeviceKind::RustHdl => 250,
         DeviceKind::Text => 1_000,
-        DeviceKind::Icarus if of_its_kind || machine.name == "local" => 70,
-        DeviceKind::Verilator if of_its_kind => usize::MAX,
-        DeviceKind::Icarus | DeviceKind::Verilator | DeviceKind::Netlist => 0,
+        DeviceKind::Icarus => 70,
+        DeviceKind::Verilator if Extent::of(machine) == Extent::Full => usize::MAX,
+        DeviceKind::Verilator | DeviceKind::Netlist => 0,
     }
 }
 

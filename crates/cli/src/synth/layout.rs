@@ -36,6 +36,8 @@ pub fn faults(folder: &Path, subjects: &[Subject]) -> Result<Vec<String>> {
 mod tests {
     use std::fs;
 
+    use serde_json::Value;
+
     use super::*;
     use crate::table;
 
@@ -43,6 +45,7 @@ mod tests {
     #[derive(Debug, Deserialize)]
     struct Figures {
         machine: String,
+        library: String,
         die_width_um: f64,
         die_height_um: f64,
         die_area_um2: f64,
@@ -184,6 +187,24 @@ mod tests {
             assert_eq!(layout.lvs_nets, layout.nets + 2, "{file}");
             assert!(layout.fmax_mhz < layout.fmax_mhz_without_wires, "{file}");
             assert!(layout.hold_slack_ns > 0.0, "{file}");
+        }
+    }
+
+    /// Without its tree of clock buffers and without wires, a layout has the cells and the clock of its row in docs/asic.md.
+    #[test]
+    fn the_recorded_layouts_are_of_the_recorded_netlists() {
+        let reports = recorded::<Value>(&Path::new(DOCS).join("measured"), "asic-").unwrap();
+        for (file, layout) in layouts() {
+            let of_library = |report: &&Value| {
+                report["library"] == layout.library && report.get("clock_gating").is_none()
+            };
+            let report = reports.iter().map(|(_, report)| report).find(of_library);
+            let rows = report.unwrap()["machines"].as_array().unwrap();
+            let row = rows.iter().find(|row| row["machine"] == layout.machine);
+            let row = row.unwrap();
+            let cells = layout.standard_cells - layout.clock_buffers;
+            assert_eq!(row["standard_cells"], cells, "{file}");
+            assert_eq!(row["fmax_mhz"], layout.fmax_mhz_without_wires, "{file}");
         }
     }
 

@@ -120,6 +120,12 @@ fn a_sequential_machine_is_the_golden_model_as_it_is_placed() {
 
 #[test]
 #[ignore = "needs Icarus and Yosys: scripts/setup.sh installs them"]
+fn an_overlapped_machine_is_the_golden_model_as_it_is_placed() {
+    holds("overlap");
+}
+
+#[test]
+#[ignore = "needs Icarus and Yosys: scripts/setup.sh installs them"]
 fn a_spatial_machine_is_the_golden_model_as_it_is_placed() {
     holds("tile-4");
 }
