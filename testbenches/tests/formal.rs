@@ -47,6 +47,10 @@ const QUICK: &[(&str, &[&str])] = &[
         "tile-6-mixed",
         &["units::", "memory::sets", "netlist::memory"],
     ),
+    (
+        "leaf-5-local7-rgb6d-n64",
+        &["leaves::", "units::unless_blank", "netlist::box_words"],
+    ),
 ];
 
 fn main() {

@@ -25,7 +25,7 @@ pub struct Digests {
     pub ecp5_sha256: String,
 }
 
-/// The digests of all machines, by name.
+/// The digests of all machines and cores, and of the leaf machines of the cores, by name.
 pub type ByMachine = BTreeMap<String, Digests>;
 
 impl Digests {
@@ -78,7 +78,9 @@ mod tests {
             let machine = find_machine(machine).unwrap();
             Core::new(machine, chains).unwrap().name()
         });
-        let designs: BTreeSet<_> = machines.chain(cores).collect();
+        let chains = CORES.iter().chain(&RECORDED_CORES);
+        let chains = chains.map(|&(_, machine)| machine.to_owned());
+        let designs: BTreeSet<_> = machines.chain(cores).chain(chains).collect();
         assert!(committed.keys().eq(&designs));
         assert_eq!(text(&committed).unwrap(), COMMITTED);
         let paper = &committed["paper"];

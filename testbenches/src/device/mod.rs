@@ -27,7 +27,7 @@ pub use self::board::{BoardSimulation, Symbol};
 pub use self::core::CoreSimulation;
 pub use icarus::Icarus;
 pub use mutant::Mutant;
-pub(crate) use netlist::netlist_text;
+pub(crate) use netlist::{block_ram_names, netlist_text};
 pub use netlist::{netlist, with_outputs_alone};
 pub use simulation::RustHdl;
 pub(crate) use simulation::{hdl_error, hdl_error_of};

@@ -1,15 +1,32 @@
 //! Synthesises a design to gates, with Yosys's generic synthesis.
 
+use std::collections::BTreeSet;
+
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Pins, SignalPlace};
+use photoncube_spec::Pins;
 
 use super::{DeviceError, scratch_folder, write_file};
 use crate::tools::yosys;
 
-/// Yosys's `synth` with a modified step `memory_map` that keeps memories of more than 256 words. A photon
-/// memory as flip-flops would be hundreds of thousands of them.
-const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; memory_map t:$mem_v2 r:SIZE<=256 %i; \
-                                 opt -undriven -fine; techmap; opt -fast; abc; opt_clean";
+/// The names of the arrays of a design that are block RAMs.
+pub(crate) fn block_ram_names(design: &Emitted) -> BTreeSet<&str> {
+    let names = design.block_rams.iter();
+    names
+        .filter_map(|ram| ram.path.rsplit('.').next())
+        .collect()
+}
+
+/// The options of Yosys's `synth` with a modified step `memory_map` that keeps the block RAMs. As flip-flops they would be
+/// hundreds of thousands.
+fn synth_with_memory(block_rams: &BTreeSet<&str>) -> String {
+    let names = block_rams.iter().map(|name| format!("c:{name} "));
+    let unions = " %u".repeat(block_rams.len() - 1);
+    format!(
+        "-run begin:fine; opt -fast -full; memory_map t:$mem_v2 {}{unions} %d; opt -undriven -fine; techmap; opt -fast; \
+         abc; opt_clean",
+        names.collect::<String>()
+    )
+}
 
 /// Writes a memory, which may give any word where it is read in the clock that writes it, as a plain memory with
 /// the attribute that says so, and not as logic that makes that word unknown. Yosys does not read its own logic for
@@ -49,9 +66,12 @@ pub fn with_outputs_alone(design: &Emitted, text: String) -> Emitted {
 pub(crate) fn netlist_text(design: &Emitted, is_flat: bool) -> Result<String, DeviceError> {
     let folder = scratch_folder()?;
     write_file(&folder.path().join("design.v"), &design.text)?;
-    let mut registers = design.pins.observed.iter();
-    let has_memory = registers.any(|pin| matches!(pin.place, SignalPlace::Memory { .. }));
-    let steps = if has_memory { SYNTH_WITH_MEMORY } else { "" };
+    let block_rams = block_ram_names(design);
+    let has_memory = !block_rams.is_empty();
+    let steps = match has_memory {
+        true => synth_with_memory(&block_rams),
+        false => String::new(),
+    };
     let (flatten, write) = match (is_flat, has_memory) {
         (true, _) => ("-flatten", "write_verilog -noattr"),
         (false, false) => ("", "write_verilog -noattr"),

@@ -6,6 +6,7 @@
 //! planted fault is refuted.
 
 mod exhaustive;
+mod leaf;
 mod memory;
 mod modules;
 mod netlist;
@@ -91,11 +92,6 @@ pub enum FormalError {
     /// Yosys is missing.
     #[error(transparent)]
     Tool(#[from] ToolError),
-    /// The machine's organisation has no properties.
-    #[error(
-        "machine `{0}`: found a leaf machine, of which no properties are written; verify it by equivalence, lint and faults"
-    )]
-    NotWritten(&'static str),
     /// No property has the given name.
     #[error("machine `{machine}` has no property of such a name; it has: {known}")]
     Nothing {
@@ -114,7 +110,11 @@ fn properties(machine: &Machine, design: &Emitted) -> Vec<Property> {
         Organisation::Sequential | Organisation::Programmed(_) => sequential::properties(machine),
         Organisation::Overlapped => overlap::properties(machine),
         Organisation::Spatial(_) => spatial::properties(machine, &has_module),
-        Organisation::Leaf(_) => unreachable!("refused before"),
+        Organisation::Leaf(leaf) => {
+            let mut properties = spatial::properties(machine, &has_module);
+            properties.extend(leaf::properties(machine, &leaf, &has_module));
+            properties
+        }
     }
 }
 
@@ -164,9 +164,6 @@ pub fn formal(
     wanted: &dyn Fn(&str) -> bool,
     progress: &dyn Fn(usize, usize),
 ) -> Result<Formal, FormalError> {
-    if machine.leaf().is_some() {
-        return Err(FormalError::NotWritten(machine.name));
-    }
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
     let tool_version = Tool::Yosys.version()?;
     let all = tasks(machine, &design);

@@ -12,19 +12,24 @@ use photoncube_hdl::Emitted;
 use super::modules::Modules;
 use super::yosys::{Answer, Question, SECONDS_EACH, ask, run};
 use super::{Proof, wrong};
-use crate::device::{DeviceError, netlist_text};
+use crate::device::{DeviceError, block_ram_names, netlist_text};
 use crate::tools::LOWER;
 
 /// The most mutants that are tried until one is refuted. Some mutants are equal to the module.
 const MUTANTS: usize = 6;
 
-/// Makes `gold` from the emitted text and `gate` from the netlist, up to their memories.
-const READ: &str = "proc -norom\nmemory -nomap\n";
+/// Makes `gold` from the emitted text and `gate` from the netlist, up to their memories. `opt_dff` makes the enables of
+/// registers, without which the register of a block RAM's word does not become a part of it, as it does in synthesis.
+const READ: &str = "proc -norom\nopt_dff\nopt_clean\nmemory -nomap\n";
 
-/// Removes block RAMs, which have more words than registers could. The words read are free inputs of both
-/// sides; the inputs of the block RAM must be equal, and so its words stay equal. Other memories become
-/// registers, and tables become gates.
-const MAP: &str = "expose -evert t:$mem_v2 r:SIZE>256 %i r:WR_PORTS>0 %i\nmemory_map\nopt_clean\n";
+/// Removes the block RAMs, whose words have no value at power-up. The words read are free inputs of both sides; the inputs
+/// of the block RAM must be equal, and so its words stay equal. Other memories become registers, and tables become gates.
+fn map(block_rams: &[&str]) -> String {
+    let removed = block_rams
+        .iter()
+        .map(|name| format!("expose -evert c:{name}\n"));
+    removed.collect::<String>() + "memory_map\nopt_clean\n"
+}
 
 /// The assumptions about modules, by name. The queue's memory has `no_rw_check`: if a place is read in the
 /// clock in which it is written, synthesis may choose the value. This happens only in a queue that is given
@@ -43,7 +48,7 @@ pub(super) struct Netlist<'a> {
     prefix: &'a str,
     emitted: Modules<'a>,
     /// The names of arrays that are block RAMs.
-    block_rams: Vec<&'a str>,
+    block_rams: BTreeSet<&'a str>,
     text: String,
 }
 
@@ -56,19 +61,20 @@ impl<'a> Netlist<'a> {
         Ok(Self {
             prefix: &design.top,
             emitted: Modules::of(&design.text),
-            block_rams: design
-                .block_rams
-                .iter()
-                .map(|ram| ram.path.rsplit('.').next().unwrap_or_default())
-                .collect(),
+            block_rams: block_ram_names(design),
             text: netlist_text(design, false)?,
         })
     }
 
-    fn has_block_ram(&self, module: &str) -> bool {
+    /// The block RAMs of a module.
+    fn block_rams_of(&self, module: &str) -> Vec<&'a str> {
         let text = self.emitted.text(module);
-        let mut names = self.block_rams.iter();
-        names.any(|name| text.contains(&format!(" {name} [")))
+        let is_declared = |name: &&str| text.contains(&format!(" {name} ["));
+        self.block_rams
+            .iter()
+            .copied()
+            .filter(is_declared)
+            .collect()
     }
 
     /// Proves a module equal to its netlist.
@@ -82,7 +88,12 @@ impl<'a> Netlist<'a> {
         let text = self.emitted.with_parts(module);
         let ours = assumption.map(|condition| with_assumption(&text, module, condition));
         let ours = ours.unwrap_or(text);
-        let texts = (ours, netlist.with_parts(module));
+        let sides = Sides {
+            module,
+            block_rams: &self.block_rams_of(module),
+            ours,
+            theirs: netlist.with_parts(module),
+        };
         let mut found = Vec::new();
         let (ours, theirs) = (self.emitted.instances(module), netlist.instances(module));
         if ours != theirs {
@@ -90,20 +101,20 @@ impl<'a> Netlist<'a> {
                 "instances: {ours:?} in the text, {theirs:?} in the netlist"
             ));
         }
-        if self.has_block_ram(module) {
-            found.extend(unlike_block_rams(module, &texts)?);
+        if !sides.block_rams.is_empty() {
+            found.extend(sides.unlike_block_rams()?);
         }
-        let answer = prove_equal(module, &texts)?;
+        let answer = sides.prove_equal()?;
         found.extend(wrong("the proof", &answer, &Answer::Holds));
         let proven = found.is_empty();
         let cover_reached = match assumption {
-            Some(_) => Some(is_possible(module, &texts)?),
+            Some(_) => Some(sides.is_possible()?),
             None => None,
         };
         if cover_reached == Some(false) {
             found.push("what is assumed is never so".to_owned());
         }
-        let control_refuted = refuted(module, &texts)?;
+        let control_refuted = sides.are_refuted()?;
         if !control_refuted {
             found.push("no change of the netlist was refuted".to_owned());
         }
@@ -151,22 +162,6 @@ fn claim(name: &str) -> String {
     claim
 }
 
-/// The commands that read one of the two sides.
-fn side(name: &str, file: &str, module: &str) -> String {
-    format!(
-        "read_verilog -formal {file}\nhierarchy -top {module}\n{READ}{LOWER}{MAP}rename {module} {name}\nexpose -evert {name}/c:*\n"
-    )
-}
-
-/// The commands that make the miter of both sides.
-fn miter(module: &str) -> String {
-    side("gold", "design.v", module)
-        + "design -copy-to joint gold\ndesign -reset\n"
-        + &side("gate", "netlist.v", module)
-        + "design -copy-to joint gate\ndesign -load joint\n"
-        + MITER
-}
-
 /// The text with an assumption in the module that holds in each clock.
 fn with_assumption(text: &str, module: &str, condition: &str) -> String {
     let modules = verilog_eval::modules(text).into_iter();
@@ -178,82 +173,118 @@ fn with_assumption(text: &str, module: &str, condition: &str) -> String {
     format!("{}{assumption}{}", &text[..end], &text[end..])
 }
 
-/// The differences of the block RAMs of both sides in their parameters: clock edges, writes and resets.
-fn unlike_block_rams(
-    module: &str,
-    texts: &(String, String),
-) -> Result<Option<String>, DeviceError> {
-    let dump = |file: &str, mark: &str| {
+/// A module's text and its netlist, each with its parts.
+struct Sides<'a> {
+    module: &'a str,
+    block_rams: &'a [&'a str],
+    ours: String,
+    theirs: String,
+}
+
+impl Sides<'_> {
+    /// The commands that read one of the two sides.
+    fn side(&self, name: &str, file: &str) -> String {
+        let (module, map) = (self.module, map(self.block_rams));
         format!(
-            "read_verilog {file}\nhierarchy -top {module}\n{READ}log {mark}\ndump t:$mem_v2\ndesign -reset\n"
+            "read_verilog -formal {file}\nhierarchy -top {module}\n{READ}{LOWER}{map}rename {module} {name}\nexpose -evert {name}/c:*\n"
         )
-    };
-    const MARKS: [&str; 3] = [
-        "photoncube-emitted",
-        "photoncube-netlist",
-        "photoncube-dumped",
-    ];
-    let script = dump("design.v", MARKS[0]) + &dump("netlist.v", MARKS[1]) + "log " + MARKS[2];
-    let files = [("design.v", texts.0.as_str()), ("netlist.v", &texts.1)];
-    let log = run(&files, &(script + "\n"), Duration::from_secs(SECONDS_EACH))?;
-    let parameters = |marks: &[&str]| -> Option<Vec<&str>> {
-        let begin = log.find(&format!("\n{}\n", marks[0]))? + 1;
-        let end = begin + log[begin..].find(&format!("\n{}\n", marks[1]))?;
-        let lines = log[begin..end].lines().map(str::trim);
-        Some(
-            lines
-                .filter(|line| line.starts_with("parameter "))
-                .collect(),
-        )
-    };
-    Ok(match (parameters(&MARKS[..2]), parameters(&MARKS[1..])) {
-        (Some(ours), Some(theirs)) if !ours.is_empty() && ours == theirs => None,
-        (ours, theirs) => Some(format!(
-            "the block RAMs: {ours:?} in the text, {theirs:?} in the netlist"
-        )),
-    })
-}
-
-/// Proves both sides equal at power-up, and equal after a clock if they were equal before it.
-fn prove_equal(module: &str, texts: &(String, String)) -> Result<Answer, DeviceError> {
-    let question = Question {
-        before: "",
-        options: "-set-assumes -tempinduct -prove trigger 0 -maxsteps 1 miter".to_owned(),
-    };
-    let mut answers = asked(module, texts, &[question])?;
-    Ok(answers.remove(0))
-}
-
-/// Whether the assumption is possible while both sides are equal.
-fn is_possible(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> {
-    let question = Question {
-        before: "setattr -unset init w:*\n",
-        options: "-set-assumes -seq 1 -set-at 1 trigger 0 miter".to_owned(),
-    };
-    Ok(asked(module, texts, &[question])?.contains(&Answer::Found))
-}
-
-/// Whether a change of the netlist is refuted: a value differs at power-up, or one clock after some state in
-/// which all values are equal.
-fn refuted(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> {
-    let at_first = Question {
-        before: "",
-        options: "-set-assumes -tempinduct -tempinduct-baseonly -prove trigger 0 -maxsteps 1 miter"
-            .to_owned(),
-    };
-    let after = Question {
-        before: "setattr -unset init w:*\n",
-        options: "-set-assumes -seq 2 -set-at 1 trigger 0 -prove trigger 0 -prove-skip 1 miter"
-            .to_owned(),
-    };
-    let questions = [at_first, after];
-    for mutant in mutants(&texts.1, module) {
-        let changed = (texts.0.clone(), mutant);
-        if asked(module, &changed, &questions)?.contains(&Answer::Refuted) {
-            return Ok(true);
-        }
     }
-    Ok(false)
+
+    /// The commands that make the miter of both sides.
+    fn miter(&self) -> String {
+        self.side("gold", "design.v")
+            + "design -copy-to joint gold\ndesign -reset\n"
+            + &self.side("gate", "netlist.v")
+            + "design -copy-to joint gate\ndesign -load joint\n"
+            + MITER
+    }
+
+    /// Asks about the module and a netlist of it.
+    fn ask(&self, theirs: &str, questions: &[Question]) -> Result<Vec<Answer>, DeviceError> {
+        let files = [("design.v", self.ours.as_str()), ("netlist.v", theirs)];
+        ask(&files, &self.miter(), questions)
+    }
+
+    /// The differences of the block RAMs of both sides in their parameters: clock edges, writes and resets.
+    fn unlike_block_rams(&self) -> Result<Option<String>, DeviceError> {
+        let module = self.module;
+        let dump = |file: &str, mark: &str| {
+            format!(
+                "read_verilog {file}\nhierarchy -top {module}\n{READ}log {mark}\ndump t:$mem_v2\ndesign -reset\n"
+            )
+        };
+        const MARKS: [&str; 3] = [
+            "photoncube-emitted",
+            "photoncube-netlist",
+            "photoncube-dumped",
+        ];
+        let script = dump("design.v", MARKS[0]) + &dump("netlist.v", MARKS[1]) + "log " + MARKS[2];
+        let files = [
+            ("design.v", self.ours.as_str()),
+            ("netlist.v", &self.theirs),
+        ];
+        let log = run(&files, &(script + "\n"), Duration::from_secs(SECONDS_EACH))?;
+        let parameters = |marks: &[&str]| -> Option<Vec<&str>> {
+            let begin = log.find(&format!("\n{}\n", marks[0]))? + 1;
+            let end = begin + log[begin..].find(&format!("\n{}\n", marks[1]))?;
+            let lines = log[begin..end].lines().map(str::trim);
+            Some(
+                lines
+                    .filter(|line| line.starts_with("parameter "))
+                    .collect(),
+            )
+        };
+        Ok(match (parameters(&MARKS[..2]), parameters(&MARKS[1..])) {
+            (Some(ours), Some(theirs)) if !ours.is_empty() && ours == theirs => None,
+            (ours, theirs) => Some(format!(
+                "the block RAMs: {ours:?} in the text, {theirs:?} in the netlist"
+            )),
+        })
+    }
+
+    /// Proves both sides equal at power-up, and equal after a clock if they were equal before it.
+    fn prove_equal(&self) -> Result<Answer, DeviceError> {
+        let question = Question {
+            before: "",
+            options: "-set-assumes -tempinduct -prove trigger 0 -maxsteps 1 miter".to_owned(),
+        };
+        let mut answers = self.ask(&self.theirs, &[question])?;
+        Ok(answers.remove(0))
+    }
+
+    /// Whether the assumption is possible while both sides are equal.
+    fn is_possible(&self) -> Result<bool, DeviceError> {
+        let question = Question {
+            before: "setattr -unset init w:*\n",
+            options: "-set-assumes -seq 1 -set-at 1 trigger 0 miter".to_owned(),
+        };
+        Ok(self
+            .ask(&self.theirs, &[question])?
+            .contains(&Answer::Found))
+    }
+
+    /// Whether a change of the netlist is refuted: a value differs at power-up, or one clock after some state in
+    /// which all values are equal.
+    fn are_refuted(&self) -> Result<bool, DeviceError> {
+        let at_first = Question {
+            before: "",
+            options:
+                "-set-assumes -tempinduct -tempinduct-baseonly -prove trigger 0 -maxsteps 1 miter"
+                    .to_owned(),
+        };
+        let after = Question {
+            before: "setattr -unset init w:*\n",
+            options: "-set-assumes -seq 2 -set-at 1 trigger 0 -prove trigger 0 -prove-skip 1 miter"
+                .to_owned(),
+        };
+        let questions = [at_first, after];
+        for mutant in mutants(&self.theirs, self.module) {
+            if self.ask(&mutant, &questions)?.contains(&Answer::Refuted) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
 }
 
 /// Netlists with one assignment, or one input of a submodule, inverted.
@@ -316,15 +347,6 @@ fn mutants(netlist: &str, module: &str) -> Vec<String> {
 fn output(line: &str) -> Option<&str> {
     let declared = line.strip_prefix("  output ")?.strip_suffix(';')?;
     declared.rsplit(' ').next()
-}
-
-fn asked(
-    module: &str,
-    texts: &(String, String),
-    questions: &[Question],
-) -> Result<Vec<Answer>, DeviceError> {
-    let files = [("design.v", texts.0.as_str()), ("netlist.v", &texts.1)];
-    ask(&files, &miter(module), questions)
 }
 
 #[cfg(test)]

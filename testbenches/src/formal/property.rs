@@ -56,7 +56,10 @@ pub(super) enum Open {
     /// The ports, these signals, and the ports of the block RAM of that name, which is removed: its read data
     /// is an input, its other ports are outputs, named `RAM.PORT`.
     BlockRam(&'static [&'static str], &'static str),
-    /// The ports of the submodules, which are removed: their outputs are inputs, their inputs outputs, named
+    /// The ports, these signals, and the ports of these submodules, which are removed: their outputs are inputs,
+    /// their inputs outputs, named `part.port`.
+    Cells(&'static [&'static str], &'static [&'static str]),
+    /// The ports of all submodules, which are removed: their outputs are inputs, their inputs outputs, named
     /// `part.port`.
     Parts,
 }
@@ -123,6 +126,12 @@ impl Property {
             Open::BlockRam(names, ram) => {
                 let ram = format!("memory_collect dut\nexpose -evert dut/c:{ram}\n");
                 ram + &expose(signals(names))
+            }
+            Open::Cells(names, cells) => {
+                let cells = cells
+                    .iter()
+                    .map(|cell| format!("expose -evert dut/c:{cell}\n"));
+                cells.collect::<String>() + &expose(signals(names))
             }
             Open::Parts => "expose -evert dut/c:*\n".to_owned(),
         };

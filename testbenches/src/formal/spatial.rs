@@ -52,21 +52,21 @@ pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -
 
 /// A unit without registers: its formula and its ports. The last ports are the outputs, named `result` and
 /// `second`.
-struct Unit {
-    name: &'static str,
-    module: &'static str,
-    claim: &'static str,
-    inputs: &'static [(&'static str, Width)],
-    output: (&'static str, Width),
-    second: Option<&'static str>,
-    claims: &'static str,
-    covers: [&'static str; 2],
-    fault: (&'static str, &'static str),
+pub(super) struct Unit {
+    pub name: &'static str,
+    pub module: &'static str,
+    pub claim: &'static str,
+    pub inputs: &'static [(&'static str, Width)],
+    pub output: (&'static str, Width),
+    pub second: Option<&'static str>,
+    pub claims: &'static str,
+    pub covers: [&'static str; 2],
+    pub fault: (&'static str, &'static str),
 }
 
-type Width = fn(&Widths) -> u32;
+pub(super) type Width = fn(&Widths) -> u32;
 
-const BIT: Width = |_| 1;
+pub(super) const BIT: Width = |_| 1;
 
 /// The units with their formulas in Verilog for the output `result`. Wider words are written so that nothing
 /// wraps. `LOW` is the number of bits of a magnitude's low digit; `LIMIT` is the largest sum of squares in
@@ -293,7 +293,7 @@ pub(super) fn unit_modules() -> impl Iterator<Item = &'static str> {
 }
 
 /// The grid line in the middle of a photon's cell; without extra bits, the cell.
-fn line(extra_bits: u32) -> String {
+pub(super) fn line(extra_bits: u32) -> String {
     match extra_bits {
         0 => "b".to_owned(),
         bits => format!("{{b, {bits}'d{}}}", 1 << (bits - 1)),
@@ -301,7 +301,7 @@ fn line(extra_bits: u32) -> String {
 }
 
 impl Unit {
-    fn property(&self, machine: &Machine) -> Property {
+    pub fn property(&self, machine: &Machine) -> Property {
         let widths = &Widths::of(machine);
         let format = machine.format();
         let format = format.expect("a spatial machine has a photon format");

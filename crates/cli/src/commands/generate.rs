@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
+use photoncube_hdl::{Level, emit};
 use photoncube_spec::{
     CORES, Core, MACHINES, Machine, RECORDED_CORES, custom_machine, find_machine,
     find_photon_format,
@@ -12,7 +13,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::GenerateArgs;
-use crate::digests::{self, ByMachine};
+use crate::digests::{self, ByMachine, Digests};
 use crate::failure::CheckFailed;
 use crate::machines::{self, MachineArgs};
 use crate::narrow::narrow;
@@ -82,6 +83,10 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
         project_files.push(sums);
         for core in cores(&RECORDED_CORES)? {
             digests.insert(core.name(), project::core_project(&core)?.digests);
+        }
+        for &(_, machine) in CORES.iter().chain(&RECORDED_CORES) {
+            let design = emit(find_machine(machine)?, Level::Machine)?;
+            digests.insert(machine.to_owned(), Digests::of(&design));
         }
         project_files.push(ProjectFile {
             path: digests::FILE.into(),
