@@ -444,7 +444,8 @@ fn tags(sizes: &LeafSizes) -> Property {
             Fault::new("tags", "chain_valid & is_query", "chain_valid"),
             Fault::new("tags", "takes & is_last", "chain_valid & is_last"),
         ],
-        fault_clocks: 8,
+        // The last result of a batch is that of its last engine.
+        fault_clocks: sizes.engines + 6,
         covers: at([("cover_query", 8), ("cover_filler", 8)]),
         ..of_logic(
             "leaves::tags",
