@@ -14,6 +14,7 @@ mod overlap;
 mod property;
 mod sequential;
 mod spatial;
+mod streams;
 mod wires;
 mod yosys;
 
@@ -144,7 +145,7 @@ fn tasks(machine: &Machine, design: &Emitted) -> Vec<Task> {
         .iter()
         .any(|level| [Level::Unit(Unit::Square), Level::SquarePair].contains(level));
     let exhaustive = (has_square && exhaustive::is_possible(machine)).then_some(Task::Exhaustive);
-    let is_gates = machine.spatial().is_none_or(spatial::has_short_memories);
+    let is_gates = machine.spatial().is_none_or(streams::has_short_memories);
     let modules = is_gates
         .then(|| netlist::modules(design))
         .into_iter()

@@ -1,26 +1,15 @@
-//! The properties of spatial machines: those of each unit that the machine has, of its sums, and of its queue
-//! where it is short enough; for one engine, those of its admission.
+//! The properties of spatial machines: those of each unit that the machine has, of its sums, its streams and its photon
+//! memory.
 
-use photoncube_spec::{HeadSizes, Machine, Spatial, Widths};
+use photoncube_spec::{Machine, Widths};
 
-use super::memory;
-use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
-
-/// The most places of a queue of results in a proof. With 64 places a search has no answer in 120 seconds and
-/// 18 GB.
-const MOST_PLACES: usize = 32;
-
-/// Whether the words of the queue of results can be registers of a netlist that a search compares. Those of a
-/// photon memory cannot.
-pub(super) fn has_short_memories(spatial: &Spatial) -> bool {
-    HeadSizes::of(spatial).queue <= MOST_PLACES
-}
+use super::property::{Fault, Method, Property, at, covers, of_logic};
+use super::{memory, streams};
 
 /// All properties, the cheapest first. `has_module` returns whether the emitted text has a module.
 pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
     let spatial = machine.spatial().expect("it is spatial");
     let widths = Widths::of(machine);
-    let sizes = HeadSizes::of(spatial);
     let full_scale = machine.full_scale();
     let units = UNITS.iter().filter(|unit| has_module(unit.module));
     let mut properties: Vec<_> = units.map(|unit| unit.property(machine)).collect();
@@ -40,12 +29,7 @@ pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -
             1,
         ),
     ]);
-    if sizes.queue <= MOST_PLACES {
-        properties.push(queue(&widths, &sizes, spatial.engines()));
-    }
-    if spatial.engines() == 1 {
-        properties.push(admission(&sizes));
-    }
+    properties.extend(streams::properties(spatial, &widths));
     properties.extend(memory::properties(machine, spatial, &widths));
     properties
 }
@@ -376,104 +360,6 @@ fn sum(
             "the sum is exact for the declared photons of a query at full scale; assumed: no more are given, and a \
              group's sum is no more than its photons'",
             include_str!("harness/accumulate.sv"),
-            &[],
-        )
-    }
-}
-
-fn queue(widths: &Widths, sizes: &HeadSizes, engines: usize) -> Property {
-    let sum = widths.sum;
-    let bits = 3 * sum + widths.count;
-    let slice = |channel: u32| format!("[{}*{sum}+:{sum}]", channel);
-    let count = format!("[{}+:{}]", 3 * sum, widths.count);
-    let channels =
-        [0, 1, 2].map(|channel| format!(".result_in_{channel}(data{}), ", slice(channel)));
-    let names = ["red", "green", "blue"];
-    let results = [0, 1, 2].map(|channel| {
-        let name = names[channel as usize];
-        format!(".result_{name}(result{}), ", slice(channel))
-    });
-    let place = |place| format!(", .\\results[{place}] (results[{place}*{bits}+:{bits}])");
-    Property {
-        macros: vec![
-            ("BITS", bits.to_string()),
-            ("PLACES", sizes.queue.to_string()),
-            ("ENGINES", engines.to_string()),
-            (
-                "DATA_IN",
-                channels.concat() + &format!(".result_count_in(data{count}), "),
-            ),
-            (
-                "DATA_OUT",
-                results.concat() + &format!(".result_count(result{count}), "),
-            ),
-            ("MEMORY", (0..sizes.queue).map(place).collect()),
-        ],
-        open: Open::Memory(
-            &[
-                "write_place",
-                "newest_place",
-                "read_place",
-                "has_waiting",
-                "has_result",
-                "word",
-            ],
-            "results",
-            sizes.queue,
-        ),
-        method: Method::Induction(1),
-        faults: vec![
-            Fault::new(
-                "queue",
-                "has_result & ~result_ready",
-                "has_result & result_ready",
-            ),
-            Fault::new(
-                "queue",
-                "read_place <= read_place + ",
-                "read_place <= read_place + 1'b1 + ",
-            ),
-            Fault::new(
-                "queue",
-                "has_waiting & ~reads_newest",
-                "has_waiting & ~reads",
-            ),
-        ],
-        fault_clocks: 7,
-        covers: at([("cover_watched", 6), ("cover_full", sizes.queue as u32 + 3)]),
-        ..of_logic(
-            "streams::queue",
-            "queue",
-            "each result written is given once, in order, as it was, and stays while it is not taken; assumed: none is \
-             written where the memory is full, as streams::admission shows",
-            include_str!("harness/fifo.sv"),
-            &[],
-        )
-    }
-}
-
-fn admission(sizes: &HeadSizes) -> Property {
-    Property {
-        macros: vec![("PLACES", sizes.queue.to_string())],
-        open: Open::Signals(&["loaded", "open", "has_batch", "promised"]),
-        method: Method::Induction(1),
-        faults: vec![
-            Fault::new("admission", "wire room = ", "wire room = 1'b1 | "),
-            Fault::new(
-                "admission",
-                "(~group_last | fits);\n    wire takes_group",
-                "1'b1;\n    wire takes_group",
-            ),
-            Fault::new("admission", "~full | takes_first", "1'b1"),
-        ],
-        fault_clocks: sizes.queue as u32 + 4,
-        covers: at([("cover_full", sizes.queue as u32 + 2), ("cover_second", 4)]),
-        ..of_logic(
-            "streams::admission",
-            "admission",
-            "a query is taken where there is room for it, a group only of a query that was, a last group only where \
-             the queue has room for its result; assumed: no more results are read than were promised",
-            include_str!("harness/admission.sv"),
             &[],
         )
     }

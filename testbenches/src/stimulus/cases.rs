@@ -21,12 +21,15 @@ enum Theme {
     Near,
     /// On lattice points at one distance, some of them one step off.
     Shell,
+    /// The photons of each leaf at one place near the largest radius, and all queries at one place: the box of the leaf
+    /// is just wanted, or just not.
+    Leaves,
 }
 
 /// A generator of cases for one machine.
 pub(crate) struct Cases<'a, R> {
     pub(super) widths: Widths,
-    aim: Aim,
+    pub(super) aim: Aim,
     pub(super) full: Photon,
     largest_radius_sq: u32,
     pub(super) fixed_radius_sq: Option<u32>,
@@ -78,19 +81,29 @@ impl<'a, R: Rng> Cases<'a, R> {
         });
         let pivot = match (theme, self.fixed_radius_sq) {
             (Theme::Shell, Some(radius_sq)) => self.at_radius(position, radius_sq),
+            (Theme::Leaves, _) => self.next_to_radius(position, self.largest_radius_sq),
             _ => self.photon_position(theme, position, None),
         };
         let first = Query {
             position,
             radius_sq: self.radius_sq(self.aim.distance_sq(position, pivot)),
         };
-        let others = (1..self.batch()).map(|_| self.companion(first));
+        let others = (1..self.batch()).map(|_| match theme {
+            Theme::Leaves => first,
+            _ => self.companion(first),
+        });
         let queries = [first].into_iter().chain(others).collect();
         let count = groups.unwrap_or_else(|| self.count().min(self.most_groups));
-        let groups = (0..count).map(|index| Group {
-            lanes: self.lanes(theme, position, pivot),
-            last: index + 1 == count,
-            facing: self.facing(),
+        let mut place = pivot;
+        let groups = (0..count).map(|index| {
+            if matches!(theme, Theme::Leaves) && index % Leaf::GROUPS == 0 {
+                place = self.on_shell(position, pivot);
+            }
+            Group {
+                lanes: self.lanes(theme, position, place),
+                last: index + 1 == count,
+                facing: self.facing(),
+            }
         });
         let mut groups: Vec<_> = groups.collect();
         // A query has no more photons than the format declares.
@@ -182,26 +195,10 @@ impl<'a, R: Rng> Cases<'a, R> {
         }
     }
 
-    /// A photon within a step of the radius, in a random direction. Where the frame ends before the radius,
-    /// the photon is nearer.
-    fn at_radius(&mut self, query: [u32; 3], radius_sq: u32) -> [u32; 3] {
-        let x = self.rng.random_range(0..=radius_sq.isqrt());
-        let y = self.rng.random_range(0..=(radius_sq - x * x).isqrt());
-        let z = (radius_sq - x * x - y * y).isqrt() + self.rng.random_range(0..=1);
-        let mut steps = [x, y, z];
-        steps.rotate_left(self.rng.random_range(0..3));
-        let limit = largest(self.widths.photon);
-        let centre = self.aim.cell(query);
-        [0, 1, 2].map(|axis| {
-            if self.rng.random() {
-                (centre[axis] + steps[axis]).min(limit)
-            } else {
-                centre[axis].saturating_sub(steps[axis])
-            }
-        })
-    }
-
     fn theme(&mut self) -> Theme {
+        if self.has_leaves && self.rng.random_ratio(1, 8) {
+            return Theme::Leaves;
+        }
         match self.rng.random_range(0..16) {
             0..=2 => Theme::Uniform,
             3..=5 => Theme::Corners,
@@ -284,8 +281,9 @@ impl<'a, R: Rng> Cases<'a, R> {
             (Theme::Corners, _) => [(); 3].map(|()| self.corner(bits)),
             (Theme::Equal, _) => self.aim.cell(query),
             (Theme::Farthest, _) => self.aim.cell(query).map(|cell| largest(bits) - cell),
-            (Theme::Near, _) | (Theme::Shell, None) => self.near(query),
+            (Theme::Near, _) | (Theme::Shell | Theme::Leaves, None) => self.near(query),
             (Theme::Shell, Some(pivot)) => self.on_shell(query, pivot),
+            (Theme::Leaves, Some(place)) => place,
         }
     }
 

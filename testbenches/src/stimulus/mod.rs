@@ -17,6 +17,7 @@ mod corners;
 mod drive;
 mod garbage;
 mod protocol;
+mod radius;
 #[cfg(test)]
 mod tests;
 mod traffic;

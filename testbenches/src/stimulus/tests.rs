@@ -1,7 +1,14 @@
 //! Tests that the stimulus has the stated properties and is reproducible.
 
-use photoncube_spec::{Group, Leaf, LeafSizes, MACHINES, Register, Role, SEQUENTIAL, SignalPlace};
+use std::collections::BTreeSet;
 
+use photoncube_spec::{
+    Group, Leaf, LeafSizes, MACHINES, Register, Role, SEQUENTIAL, SignalPlace, find_machine,
+};
+use rand::SeedableRng;
+use rand_pcg::Pcg64;
+
+use super::aim::Aim;
 use super::*;
 
 /// The clocks that begin a chunk on `paper`: two resets with a query of one group between them.
@@ -197,7 +204,7 @@ fn a_workload_that_does_not_fit_is_refused() {
 /// In `overlap` a lane's sum crosses links that are as wide as the sum of a whole query.
 #[test]
 fn a_lane_alone_is_given_all_of_a_querys_photons() {
-    let machine = photoncube_spec::find_machine("overlap").unwrap();
+    let machine = find_machine("overlap").unwrap();
     let pins = Pins::of(machine);
     let mut seen = vec![0; pins.observed.len()];
     for block in blocks(machine, Source::LaneAlone, 1, 1) {
@@ -230,7 +237,7 @@ fn a_lane_alone_is_given_all_of_a_querys_photons() {
 #[test]
 fn a_full_bank_fills_every_queue_of_a_leaf_machine() {
     for name in ["leaf-4-local6x2-rgb4d-n1024", "leaf-5-local7-rgb6d-n1024"] {
-        let machine = photoncube_spec::find_machine(name).unwrap();
+        let machine = find_machine(name).unwrap();
         let sizes = LeafSizes::of(machine.leaf().unwrap());
         let observed = Pins::of(machine).observed;
         let blocks = blocks(machine, Source::FullBank, 1, 1);
@@ -249,4 +256,29 @@ fn a_full_bank_fills_every_queue_of_a_leaf_machine() {
             "{name}"
         );
     }
+}
+
+/// Random photons around a query have a box that overlaps the query's.
+#[test]
+fn leaves_are_just_wanted_and_just_not() {
+    let machine = find_machine("leaf-5-local7-rgb6d-n64").unwrap();
+    let (aim, limit) = (Aim::of(machine), machine.fixed_radius_sq().unwrap());
+    let mut rng = Pcg64::seed_from_u64(1);
+    let mut cases = Cases::new(machine, &mut rng);
+    let mut met = BTreeSet::new();
+    for case in (0..5_000).map(|_| cases.case()) {
+        let query = case.queries[0].position;
+        if case.queries.iter().any(|other| other.position != query) {
+            continue;
+        }
+        for leaf in case.groups.chunks(Leaf::GROUPS) {
+            let photons = leaf.iter().flat_map(Group::photons);
+            let places: BTreeSet<_> = photons.map(|photon| photon.position).collect();
+            if let (1, Some(&place)) = (places.len(), places.first()) {
+                let off = aim.distance_sq(query, place) as i64 - i64::from(limit);
+                met.insert(off.clamp(-2, 2));
+            }
+        }
+    }
+    assert_eq!(met, BTreeSet::from([-2, -1, 0, 1, 2]));
 }
