@@ -1,5 +1,5 @@
 // The borders on one axis around intervals that come one after another. In any clock the harness can watch a place in the
-// interval that comes. Until a first interval comes, the place is between the borders.
+// interval that comes. The place stays between the borders until an interval comes that is the first of another box.
 `default_nettype none
 module harness(input wire clock, input wire comes, input wire first, input wire watch, input wire [`W-1:0] low_in,
     input wire [`W-1:0] high_in, input wire [`W-1:0] place, output wire cover_kept, output wire cover_wide);
