@@ -115,7 +115,7 @@ pub(super) struct Invariants {
     /// Combinations that never occur: of small registers of the control block, or of all flags in machines
     /// without a program.
     never: Vec<Never>,
-    /// Relations between registers of a photon memory.
+    /// Relations between registers of a photon memory or of a comparison of boxes.
     relations: Vec<Relation>,
     /// In machines without a program, the flags that follow others.
     followers: Followers,
@@ -164,12 +164,7 @@ impl Invariants {
             declared: declared(machine, design),
             reads_again: reads_again(machine),
             never: Vec::new(),
-            relations: machine
-                .spatial()
-                .filter(|_| machine.has_memory())
-                .map_or(Vec::new(), |spatial| {
-                    Relation::of_memory(spatial.memory_groups.ilog2())
-                }),
+            relations: Relation::of(machine),
             followers: Followers::default(),
         };
         invariants.guess(design, kills)?;

@@ -1,5 +1,8 @@
-//! Relations between the registers of a photon memory that hold for any signals of the head. They are written
-//! by hand from the spec and proven by induction together with the guessed invariants.
+//! Relations between registers that are written by hand from the spec, and proven by induction together with the guessed
+//! invariants: those of a photon memory, which hold for any signals of the head, and those of the comparison of boxes in a leaf
+//! machine, whose registers are not observed.
+
+use photoncube_spec::{Leaf, Machine, Organisation};
 
 /// The relations, as Verilog over the names of the registers. `FULL` and `END` are those of the bank that is
 /// played.
@@ -32,13 +35,29 @@ const SHORTHANDS: [(&str, &str); 3] = [
     ),
 ];
 
+/// What the names of registers in relations begin with: those of a photon memory, and those that are not observed.
+const BEGINNINGS: [&str; 2] = ["memory_", UNOBSERVED];
+const UNOBSERVED: &str = "culler_product_";
+
 /// A relation between registers, as Verilog with their names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Relation(String);
 
 impl Relation {
+    /// The relations that are written for a machine.
+    pub fn of(machine: &Machine) -> Vec<Self> {
+        let has_squares = || machine.format().is_some_and(|format| !format.half_steps());
+        match machine.organisation {
+            Organisation::Spatial(spatial) if machine.has_memory() => {
+                Self::of_memory(spatial.memory_groups.ilog2())
+            }
+            Organisation::Leaf(_) if has_squares() => Self::of_culler(),
+            _ => Vec::new(),
+        }
+    }
+
     /// The relations of a photon memory whose places have `place_bits` bits.
-    pub fn of_memory(place_bits: u32) -> Vec<Self> {
+    fn of_memory(place_bits: u32) -> Vec<Self> {
         let written = |text: &&str| {
             let long = SHORTHANDS
                 .iter()
@@ -50,11 +69,28 @@ impl Relation {
         OF_MEMORY.iter().map(written).collect()
     }
 
+    /// The relations of a comparison of boxes whose squares are products: a square is 0 or 1 modulo 4.
+    fn of_culler() -> Vec<Self> {
+        let gaps = 0..3 * Leaf::PAIR;
+        gaps.map(|gap| Self(format!("{UNOBSERVED}{gap}[1] == 0")))
+            .collect()
+    }
+
+    /// The path of a register that is not observed, by its name in a relation.
+    pub fn unobserved(name: &str) -> Option<String> {
+        let gap = name.strip_prefix(UNOBSERVED)?;
+        Some(format!("culler.product_{gap}.product.q"))
+    }
+
     /// The relation with each register replaced by its expression; `None` where a register has none.
     pub fn with(&self, register: impl Fn(&str) -> Option<String>) -> Option<String> {
         let mut text = String::new();
         let mut rest = self.0.as_str();
-        while let Some(begin) = rest.find("memory_") {
+        let begins = |text: &str| {
+            let begins = BEGINNINGS.iter().filter_map(|name| text.find(name));
+            begins.min()
+        };
+        while let Some(begin) = begins(rest) {
             let (before, name) = rest.split_at(begin);
             let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
             let end = name.find(|c| !is_name(c)).unwrap_or(name.len());
@@ -87,5 +123,8 @@ mod tests {
             assert!(text.chars().all(plain), "{text}");
         }
         assert_eq!(relations[0].with(|_| None), None);
+        let squares = Relation::of_culler();
+        let text = squares[5].with(Relation::unobserved);
+        assert_eq!(text.as_deref(), Some("culler.product_5.product.q[1] == 0"));
     }
 }

@@ -216,14 +216,23 @@ impl Invariants {
     /// A relation between registers, as a condition.
     fn of(&self, relation: &Relation, when: &str) -> Option<String> {
         relation.with(|name| {
-            let index = self.names.iter().position(|register| register == name)?;
-            Some(self.register(index, when)?.0)
+            let observed = self.names.iter().position(|register| register == name);
+            let port = match observed {
+                Some(index) => self.register(index, when),
+                None => self.port(&Relation::unobserved(name)?, when),
+            };
+            Some(port?.0)
         })
     }
 
     /// The wrapper's name of a register, with its width.
     pub(super) fn register(&self, index: usize, when: &str) -> Option<(String, u32)> {
-        let name = format!("{}.{when}", self.registers[index]);
+        self.port(&self.registers[index], when)
+    }
+
+    /// The wrapper's name of the register with a path, with its width.
+    fn port(&self, path: &str, when: &str) -> Option<(String, u32)> {
+        let name = format!("{path}.{when}");
         let port = self.ports.get(&name)?;
         let bits = u32::try_from(port.width()).ok()?;
         Some((format!("p{}", self.port_number(&name)), bits))
