@@ -213,14 +213,18 @@ pub fn table(lines: &[Line]) -> String {
 fn results(lines: &[&Line]) -> String {
     let unit = &lines[0].unit;
     let one_unit = lines.iter().all(|line| line.unit == *unit);
+    let volume = |line: &Line| match one_unit {
+        true => grouped(line.volume),
+        false => format!("{} {}", grouped(line.volume), line.unit),
+    };
+    let names = lines.iter().map(|line| line.machine.len()).max();
+    let volumes = lines.iter().map(|line| volume(line).len()).max();
+    let taken = names.unwrap_or(0) + volumes.unwrap_or(0) + "|  |  |  |".len();
+    let width = RESULT_WIDTH.min(TABLE_WIDTH.saturating_sub(taken));
     let mut rows = Vec::new();
     for line in lines {
-        let volume = match one_unit {
-            true => grouped(line.volume),
-            false => format!("{} {}", grouped(line.volume), line.unit),
-        };
-        let mut first = vec![line.machine.clone(), volume];
-        for part in parts(&with_short_digests(&line.result)) {
+        let mut first = vec![line.machine.clone(), volume(line)];
+        for part in parts(&with_short_digests(&line.result), width) {
             let mut row = std::mem::replace(&mut first, vec![String::new(); 2]);
             row.push(part);
             rows.push(row);
@@ -230,18 +234,19 @@ fn results(lines: &[&Line]) -> String {
     table::markdown(&["machine", volume, "result"], &rows)
 }
 
-/// Characters of a result that stand in one row.
+/// The most characters of a row, and of a result in it.
+const TABLE_WIDTH: usize = 120;
 const RESULT_WIDTH: usize = 64;
 
-/// A result in pieces that fit a cell, broken between words.
-fn parts(result: &str) -> Vec<String> {
+/// A result in pieces of at most `width` characters, broken between words. A longer word stands alone.
+fn parts(result: &str, width: usize) -> Vec<String> {
     let mut parts = vec![String::new()];
     for word in result.split(' ') {
         let last = parts.last_mut().expect("there is one from the start");
         let length = last.chars().count() + 1 + word.chars().count();
         match last.as_str() {
             "" => last.push_str(word),
-            _ if length <= RESULT_WIDTH => *last += &format!(" {word}"),
+            _ if length <= width => *last += &format!(" {word}"),
             _ => parts.push(word.to_owned()),
         }
     }
@@ -365,7 +370,7 @@ mod tests {
         let sections = |text: &str| text.lines().filter(|line| line.starts_with("## ")).count();
         assert_eq!(sections(docs), sections(&table));
         for row in table.lines().filter(|line| line.starts_with('|')) {
-            assert!(row.chars().count() <= 120, "{row}");
+            assert!(row.chars().count() <= TABLE_WIDTH, "{row}");
         }
     }
 
