@@ -19,7 +19,8 @@ pub(crate) fn block_ram_names(design: &Emitted) -> BTreeSet<&str> {
 /// The options of Yosys's `synth` with a modified step `memory_map` that keeps the block RAMs. As flip-flops they would be
 /// hundreds of thousands.
 fn synth_with_memory(block_rams: &BTreeSet<&str>) -> String {
-    let names = block_rams.iter().map(|name| format!("c:{name} "));
+    // In a flat design the name of a memory follows the path of its module.
+    let names = block_rams.iter().map(|name| format!("c:*{name} "));
     let unions = " %u".repeat(block_rams.len() - 1);
     format!(
         "-run begin:fine; opt -fast -full; memory_map t:$mem_v2 {}{unions} %d; opt -undriven -fine; techmap; opt -fast; \
