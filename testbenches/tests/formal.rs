@@ -49,7 +49,12 @@ const QUICK: &[(&str, &[&str])] = &[
     ),
     (
         "leaf-5-local7-rgb6d-n64",
-        &["leaves::", "units::unless_blank", "netlist::box_words"],
+        &[
+            "leaves::",
+            "units::unless_blank",
+            "units::token_place",
+            "netlist::box_words",
+        ],
     ),
 ];
 

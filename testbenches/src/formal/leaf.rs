@@ -10,11 +10,8 @@ use super::spatial::{BIT, Unit, line};
 const AXES: usize = 3;
 
 /// All properties. `has_module` returns whether the emitted text has a module.
-pub(super) fn properties(
-    machine: &Machine,
-    leaf: &Leaf,
-    has_module: &dyn Fn(&str) -> bool,
-) -> Vec<Property> {
+pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
+    let leaf = machine.leaf().expect("it is a leaf machine");
     let widths = Widths::of(machine);
     let sizes = LeafSizes::of(leaf);
     let units = UNITS.iter().map(|unit| unit.property(machine));

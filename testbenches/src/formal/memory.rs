@@ -88,7 +88,7 @@ fn property(machine: &Machine, widths: &Widths, groups: u32) -> Property {
             ("WORD", word.to_string()),
             ("GROUP_PORTS", ports),
         ],
-        open: Open::BlockRam(SIGNALS, "groups"),
+        open: Open::Cells(SIGNALS, &["groups"]),
         method: Method::Induction(1),
         faults,
         fault_clocks: CLOCKS,

@@ -111,9 +111,9 @@ fn properties(machine: &Machine, design: &Emitted) -> Vec<Property> {
         Organisation::Sequential | Organisation::Programmed(_) => sequential::properties(machine),
         Organisation::Overlapped => overlap::properties(machine),
         Organisation::Spatial(_) => spatial::properties(machine, &has_module),
-        Organisation::Leaf(leaf) => {
+        Organisation::Leaf(_) => {
             let mut properties = spatial::properties(machine, &has_module);
-            properties.extend(leaf::properties(machine, &leaf, &has_module));
+            properties.extend(leaf::properties(machine, &has_module));
             properties
         }
     }

@@ -53,11 +53,8 @@ pub(super) enum Open {
     Signals(&'static [&'static str]),
     /// The ports, these signals, and that many words of a memory, by their numbers.
     Memory(&'static [&'static str], &'static str, usize),
-    /// The ports, these signals, and the ports of the block RAM of that name, which is removed: its read data
-    /// is an input, its other ports are outputs, named `RAM.PORT`.
-    BlockRam(&'static [&'static str], &'static str),
-    /// The ports, these signals, and the ports of these submodules, which are removed: their outputs are inputs,
-    /// their inputs outputs, named `part.port`.
+    /// The ports, these signals, and the ports of these submodules and block RAMs, which are removed: their outputs
+    /// are inputs, their inputs outputs, named `part.port`.
     Cells(&'static [&'static str], &'static [&'static str]),
     /// The ports of all submodules, which are removed: their outputs are inputs, their inputs outputs, named
     /// `part.port`.
@@ -123,15 +120,13 @@ impl Property {
                 names.extend((0..words).map(|word| format!("dut/w:{memory}?{word}?")));
                 "memory -nomap\nmemory_map\n".to_owned() + &expose(names)
             }
-            Open::BlockRam(names, ram) => {
-                let ram = format!("memory_collect dut\nexpose -evert dut/c:{ram}\n");
-                ram + &expose(signals(names))
-            }
             Open::Cells(names, cells) => {
                 let cells = cells
                     .iter()
                     .map(|cell| format!("expose -evert dut/c:{cell}\n"));
-                cells.collect::<String>() + &expose(signals(names))
+                "memory_collect dut\n".to_owned()
+                    + &cells.collect::<String>()
+                    + &expose(signals(names))
             }
             Open::Parts => "expose -evert dut/c:*\n".to_owned(),
         };

@@ -167,6 +167,11 @@ impl Invariants {
             relations: Relation::of(machine),
             followers: Followers::default(),
         };
+        let is_known = |relation| invariants.of(relation, "q").is_some();
+        assert!(
+            invariants.relations.iter().all(is_known),
+            "a relation names no register of the design"
+        );
         invariants.guess(design, kills)?;
         invariants.forget_largest(Widths::of(machine).work);
         invariants.settle()?;

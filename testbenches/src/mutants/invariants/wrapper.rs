@@ -214,7 +214,7 @@ impl Invariants {
     }
 
     /// A relation between registers, as a condition.
-    fn of(&self, relation: &Relation, when: &str) -> Option<String> {
+    pub(super) fn of(&self, relation: &Relation, when: &str) -> Option<String> {
         relation.with(|name| {
             let observed = self.names.iter().position(|register| register == name);
             let port = match observed {
