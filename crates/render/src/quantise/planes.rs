@@ -7,19 +7,14 @@ use rayon::prelude::*;
 use super::QuantisedMap;
 
 /// The least photons of a part, which a thread makes.
-const PART: usize = 1 << 14;
+const PART: usize = 1 << 12;
 
-/// The least parts that exist beside the planes at a time, and the least for each thread. There are few, because their photons take
-/// memory twice until they are joined.
-const PARTS: usize = 16;
-const PARTS_OF_A_THREAD: usize = 4;
+/// The parts for each thread that exist beside the planes at a time. There are few, because their photons take memory twice until
+/// they are joined.
+const PARTS_A_THREAD: usize = 2;
 
 /// The runs of the map in one cube of blocks and of one group, by their indices. They are one run of the planes.
-struct CubedRun<'a> {
-    cube: [u64; 3],
-    group: u32,
-    runs: &'a [u32],
-}
+type CubedRun<'a> = &'a [u32];
 
 impl QuantisedMap<'_> {
     /// The photons in planes.
@@ -29,31 +24,20 @@ impl QuantisedMap<'_> {
     pub(super) fn planes_of(&self, format: &PhotonFormat) -> Result<PhotonPlanes, FormatError> {
         let mut planes = PhotonPlanes::new(format)?;
         let none = planes.clone();
-        let edge = planes.cube_edge();
-        let key = |run: &u32| {
-            let (block, group) = self.map().block_of_run(*run as usize);
-            let [x, y, z] = block.map(|at| at / u64::from(edge));
-            ([z, y, x], group)
-        };
+        let edge = u64::from(planes.cube_edge());
+        let key = |run: &u32| self.cube_of_run(*run, edge);
         let mut order: Vec<_> = (0..self.map().runs().len() as u32).collect();
         // With the index as the last key the order is total, hence independent of the threads.
         order.par_sort_unstable_by_key(|run| (key(run), *run));
-        let runs = order.chunk_by(|a, b| key(a) == key(b)).map(|runs| {
-            let ([z, y, x], group) = key(&runs[0]);
-            CubedRun {
-                cube: [x, y, z],
-                group,
-                runs,
-            }
-        });
-        let runs: Vec<_> = runs.collect();
+        let runs: Vec<_> = order.chunk_by(|a, b| key(a) == key(b)).collect();
         planes.reserve(self.map().photons().len());
         let part = |runs: &&[CubedRun<'_>]| {
             let mut part = none.clone();
-            runs.iter().for_each(|run| self.push_run(run, &mut part));
+            runs.iter()
+                .for_each(|run| self.push_run(run, edge, &mut part));
             part
         };
-        let at_once = PARTS.max(PARTS_OF_A_THREAD * rayon::current_num_threads());
+        let at_once = PARTS_A_THREAD * rayon::current_num_threads();
         for parts in self.parts(&runs).chunks(at_once) {
             let parts: Vec<_> = parts.par_iter().map(part).collect();
             planes = parts.iter().fold(planes, PhotonPlanes::joined);
@@ -62,10 +46,17 @@ impl QuantisedMap<'_> {
         Ok(planes)
     }
 
+    /// The cube of blocks that a run is in, in the order of the planes, and its group.
+    fn cube_of_run(&self, run: u32, edge: u64) -> ([u64; 3], u32) {
+        let (block, group) = self.map().block_of_run(run as usize);
+        let [x, y, z] = block.map(|at| at / edge);
+        ([z, y, x], group)
+    }
+
     /// The runs in parts of about as many photons.
     fn parts<'a>(&self, runs: &'a [CubedRun<'a>]) -> Vec<&'a [CubedRun<'a>]> {
-        let photons = |run: &CubedRun<'_>| -> usize {
-            let runs = run.runs.iter();
+        let photons = |runs: &CubedRun<'_>| -> usize {
+            let runs = runs.iter();
             runs.map(|run| self.map().photons_of_run(*run as usize).len())
                 .sum()
         };
@@ -79,17 +70,16 @@ impl QuantisedMap<'_> {
         parts.collect()
     }
 
-    fn push_run(&self, run: &CubedRun<'_>, planes: &mut PhotonPlanes) {
-        let edge = u64::from(planes.cube_edge());
+    fn push_run(&self, runs: CubedRun<'_>, edge: u64, planes: &mut PhotonPlanes) {
         let photons = |run: &u32| self.map().photons_of_run(*run as usize);
         let exponent = |run: &u32| self.block_exponent(photons(run).start);
         let record = |run| {
             let exponent = exponent(run);
             photons(run).map(move |photon| self.record(photon, exponent))
         };
-        let records: Vec<PhotonRecord> = run.runs.iter().flat_map(record).collect();
+        let records: Vec<PhotonRecord> = runs.iter().flat_map(record).collect();
         let mut rest = records.as_slice();
-        let blocks = run.runs.iter().map(|run| {
+        let blocks = runs.iter().map(|run| {
             let (of_block, others) = rest.split_at(photons(run).len());
             rest = others;
             let (block, _) = self.map().block_of_run(*run as usize);
@@ -100,7 +90,8 @@ impl QuantisedMap<'_> {
             }
         });
         let blocks: Vec<_> = blocks.collect();
-        let stored = planes.push_run(run.cube, run.group, &blocks);
+        let ([z, y, x], group) = self.cube_of_run(runs[0], edge);
+        let stored = planes.push_run([x, y, z], group, &blocks);
         stored.expect("rounded to the format");
     }
 }

@@ -16,6 +16,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
+use rayon::current_num_threads;
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -32,6 +33,10 @@ pub const BATCH_PATHS: u64 = 8192;
 /// The number of paths that one task of the thread pool traces, large enough to make the pool's overhead
 /// small.
 const TASK_PATHS: u64 = 256;
+
+/// The number of tasks for each thread whose photons are kept apart at a time, before they are joined to those before. All tasks of a
+/// batch would take a megabyte.
+const TASKS_A_THREAD: u64 = 2;
 
 /// Tracing fails where fewer than one path in this many stores a photon.
 const PATHS_PER_PHOTON_LIMIT: u64 = 64;
@@ -173,6 +178,7 @@ pub fn trace(
     let stored = AtomicU64::new(0);
     let (mut photons, mut kinds) = (Vec::new(), Vec::new());
     let mut paths = 0;
+    let tasks_at_once = TASKS_A_THREAD * current_num_threads() as u64;
     while (photons.len() as u64) < options.photons {
         let task = |task: u64| {
             let first = paths + task * TASK_PATHS;
@@ -185,14 +191,17 @@ pub fn trace(
             progress(stored.fetch_add(count, Ordering::Relaxed) + count);
             found
         };
-        let tasks = (0..BATCH_PATHS / TASK_PATHS).into_par_iter().map(task);
-        let found: Vec<_> = tasks.collect();
-        let count = found.iter().map(Vec::len).sum();
-        make_room(&mut photons, count, options.photons);
-        make_room(&mut kinds, count, options.photons);
-        for (photon, kind) in found.into_iter().flatten() {
-            photons.push(photon);
-            kinds.push(kind);
+        let tasks = BATCH_PATHS / TASK_PATHS;
+        for first in (0..tasks).step_by(tasks_at_once as usize) {
+            let at_once = first..tasks.min(first + tasks_at_once);
+            let found: Vec<_> = at_once.into_par_iter().map(task).collect();
+            let count = found.iter().map(Vec::len).sum();
+            make_room(&mut photons, count, options.photons);
+            make_room(&mut kinds, count, options.photons);
+            for (photon, kind) in found.into_iter().flatten() {
+                photons.push(photon);
+                kinds.push(kind);
+            }
         }
         paths += BATCH_PATHS;
         let count = photons.len() as u64;
