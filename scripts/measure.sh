@@ -80,16 +80,14 @@ for folder in hdl-out/*/; do
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
 # Area, clock and energy in standard cells, also at the activities of a simulation. Icarus read the netlist of tile-10 for 20 minutes
-# without an end, so it is not simulated. A photon memory would be some hundred thousand registers, as these libraries have no RAM.
-in_cells=()
-for machine in paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8,9} \
-    stream-shallow-local8-rgb8d-n16384 tile-{6,7}-shallow-local7-rgb6d-n4096; do
-    in_cells+=(--machine "$machine")
-done
+# without an end, so machines of that size are not simulated.
+simulated=(paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8,9} tile-6-mixed
+    leaf-7-local7-rgb6d-n4096 stream-shallow-local8-rgb8d-n16384 tile-{6,7}-shallow-local7-rgb6d-n4096)
+not_simulated=(tile-10 chip-lut chip-mixed)
 measure_in_cells() {
-    target/release/photoncube synth --asic --activity-of cornell "$@" "${in_cells[@]}" --json >target/measured/asic.json
-    target/release/photoncube synth --asic "$@" --machine tile-10 --json >target/measured/asic-tile-10.json
-    python3 - target/measured/asic.json target/measured/asic-tile-10.json <<'JOIN'
+    target/release/photoncube synth --asic --activity-of cornell "$@" "${simulated[@]/#/--machine=}" --json >target/measured/asic.json
+    target/release/photoncube synth --asic "$@" "${not_simulated[@]/#/--machine=}" --json >target/measured/asic-more.json
+    python3 - target/measured/asic.json target/measured/asic-more.json <<'JOIN'
 import json
 import sys
 

@@ -120,6 +120,9 @@ magic_does() { logged "$2" in_layout magic -dnull -noconsole -rcfile "$TECH/osu0
 
 begin "netlist of $machine"
 "$program" synth --asic --machine "$machine" --netlists "$out" --json >"$out/synth.json" || exit
+if grep -q '"ram_bits"' "$out/synth.json"; then
+    fail "$machine has a photon memory, expected a machine without one, since osu018 has no RAM"
+fi
 netlist() { python3 "$here/netlist.py" "$out/$machine.v" "$TECH/osu018_stdcells.sp" "$name" "$flow/synthesis" "$@" >"$out/netlist.json"; }
 
 # What qflow's scripts read.

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use fpga_flow::asic::{
-    Activities, CellFigures, Library, Options, Sta, Toggles, measure, measure_simulated,
+    Activities, CellFigures, Library, NETLIST, Options, Sta, Toggles, measure, measure_simulated,
     simulatable,
 };
 use fpga_flow::{Design, Netlist};
@@ -386,6 +386,73 @@ fn registers_behind_a_clock_gate_take_the_energy_of_the_edges_that_pass() {
             (simulated.logic_energy_pj / logic - 1.0).abs() < 1e-5,
             "{simulated:?}"
         );
+    }
+}
+
+/// A memory of words of 64 bits, and the inverse of what is read from it.
+fn with_memory(words: u32) -> Design {
+    let verilog = format!(
+        "module toy(input clock, input write, input [{place}:0] place, input [63:0] d, output reg [63:0] q);
+           reg [63:0] words [0:{last}];
+           reg [63:0] word;
+           always @(posedge clock) begin
+             if (write) words[place] <= d;
+             word <= words[place];
+             q <= ~word;
+           end
+         endmodule",
+        place = words.ilog2() - 1,
+        last = words - 1,
+    );
+    Design {
+        top: "toy".to_owned(),
+        verilog,
+        ..Design::default()
+    }
+}
+
+/// The bits of a large memory are counted, a small one becomes registers.
+#[test]
+#[ignore = "needs Yosys and OpenSTA: scripts/setup.sh --asic installs them"]
+fn a_large_memory_stays_outside_of_the_cells() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path();
+    fs::write(path.join("small.lib"), liberty()).unwrap();
+    let (yosys, sta) = (tools::yosys(), Sta::find(path).unwrap());
+    let library = Library::read(&yosys, path, &path.join("small.lib")).unwrap();
+    let measured = |words| {
+        let design = with_memory(words);
+        design.write(path).unwrap();
+        let options = Options {
+            activity: 0.2,
+            clock_gating: false,
+        };
+        measure(&yosys, &sta, path, &design, &library, &options).unwrap()
+    };
+    let small = measured(2);
+    // The two words, `word` and `q`.
+    assert_eq!(
+        (small.ram_bits, small.register_area),
+        (0, 4.0 * 64.0 * 20.0)
+    );
+
+    let large = measured(64);
+    assert_eq!(large.ram_bits, 4096);
+    // `word` is the output register of the RAM, whose delay is not counted. From it an inverter leads to `q`.
+    assert_eq!(large.register_area, 64.0 * 20.0);
+    assert_eq!(large.area, 64.0 * 20.0 + 64.0 * 3.0);
+    let period = DELAY_NS + SETUP_NS;
+    assert!((large.period_ns / period - 1.0).abs() < 1e-5, "{large:?}");
+
+    // The netlist that is measured has the RAM's pins, that which is simulated has the RAM.
+    let netlist = fs::read_to_string(path.join(NETLIST)).unwrap();
+    assert!(!netlist.contains("toy_rams toy_rams"), "{netlist}");
+    let pins = netlist.matches("\n  input \\toy_rams.").count();
+    assert_eq!(pins, 64, "the word that is read");
+    let simulated = simulatable(&yosys, path, &with_memory(64), &library).unwrap();
+    for text in [&simulated.text, &simulated.control.text] {
+        assert!(text.contains("toy_rams toy_rams"), "{text}");
+        assert!(text.contains("module toy_rams(") && text.contains("[63:0] words [63:0]"));
     }
 }
 

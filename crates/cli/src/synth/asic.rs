@@ -46,6 +46,9 @@ pub struct AsicRow {
     fanout_buffers: u64,
     #[serde(default, skip_serializing_if = "is_zero")]
     clock_gates: u64,
+    /// The bits of the memories that are no registers, but stay outside of the cells, as RAMs.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    ram_bits: u64,
     fmax_mhz: f64,
     power_mw: f64,
     photon_tests_per_clock: f64,
@@ -88,6 +91,7 @@ impl AsicRow {
             standard_cells: figures.cells,
             fanout_buffers: figures.fanout_buffers,
             clock_gates: figures.clock_gates,
+            ram_bits: figures.ram_bits,
             fmax_mhz: figures.fmax_mhz(),
             power_mw: 1e3 * figures.power_w(),
             photon_tests_per_clock: tests,
@@ -289,6 +293,7 @@ fn rows_table(rows: &[AsicRow]) -> String {
         "pJ a test",
         "area in registers",
         "energy in registers",
+        "RAM, kbit",
     ];
     let cells = |row: &AsicRow| {
         vec![
@@ -300,6 +305,10 @@ fn rows_table(rows: &[AsicRow]) -> String {
             format!("{:.1}", row.energy_pj_per_test),
             format!("{:.0} %", 100.0 * row.register_area_share),
             format!("{:.0} %", 100.0 * row.register_energy_share),
+            match row.ram_bits {
+                0 => "-".to_owned(),
+                bits => (bits / 1024).to_string(),
+            },
         ]
     };
     table::markdown(&header, &rows.iter().map(cells).collect::<Vec<_>>())

@@ -3,11 +3,15 @@
 //! Yosys maps the registers, a pass divides the nets that have many readers among buffers, ABC maps and sizes the logic, and OpenSTA
 //! computes delays and powers. There are no wires and there is no clock tree: a cell drives the pins of its readers alone. A
 //! chip is larger, slower and takes more power than these figures say.
+//!
+//! A large memory stays outside of the cells, as a RAM: its bits are counted, and its area, its delays and its energy are not. Its ports are
+//! ports of the netlist.
 
 mod activity;
 mod fanout;
 mod gating;
 mod library;
+mod ram;
 mod timing;
 mod wrong_cell;
 
@@ -20,6 +24,8 @@ use crate::design::Design;
 use crate::error::{Result, ensure, read, unexpected, write};
 use crate::netlist::Netlist;
 use crate::yosys::Yosys;
+
+use self::ram::Rams;
 
 pub use activity::{Activities, Toggles};
 pub use library::Library;
@@ -35,8 +41,10 @@ const LIBERTY: &str = "library.lib";
 pub const NETLIST: &str = "mapped.v";
 /// The mapped netlist with the ports of the design, as JSON. Cells and nets have the names that they have in the others.
 const MAPPED: &str = "mapped.json";
-/// The mapped netlist with the ports of the design.
+/// The mapped netlist with the ports of the design. It has an instance of the RAMs.
 const WITH_PORTS: &str = "mapped_with_ports.v";
+/// The Verilog of the RAMs, where there are any.
+const RAMS: &str = "rams.v";
 /// The netlist with a register behind each input, and what OpenSTA is told of its pins.
 const POWERED: &str = "powered.v";
 const ACTIVITIES: &str = "activities.tcl";
@@ -69,6 +77,8 @@ pub struct CellFigures {
     pub fanout_buffers: u64,
     /// The number of clock gates.
     pub clock_gates: u64,
+    /// The bits of the memories that stay outside of the cells, as RAMs.
+    pub ram_bits: u64,
     /// The shortest clock period, in nanoseconds.
     pub period_ns: f64,
     /// The energy of a clock cycle in the registers, in picojoules.
@@ -132,7 +142,7 @@ pub fn measure(
         },
     )?;
     write(&folder.join(LIBERTY), &library.text())?;
-    let fanout_buffers = map(yosys, folder, design, library, options.clock_gating)?;
+    let (rams, fanout_buffers) = map(yosys, folder, design, library, options.clock_gating)?;
     let stat = Stat::parse(&read(&folder.join("stat.json"))?)?;
     let [area, register_area] = stat.areas()?;
     let times = sta.measure(folder, &design.top, library, options.activity)?;
@@ -146,6 +156,7 @@ pub fn measure(
         cells: stat.cells.values().sum(),
         fanout_buffers,
         clock_gates: gates.copied().unwrap_or(0),
+        ram_bits: rams.bits(),
         period_ns: times.period_ns,
         register_energy_pj: times.registers.cycle_energy_pj(),
         logic_energy_pj: times.logic.cycle_energy_pj(),
@@ -189,10 +200,10 @@ pub fn measure_simulated(
 /// A mapped netlist, to be simulated.
 #[derive(Clone, Debug)]
 pub struct Simulatable {
-    /// The Verilog of the netlist, with models of the library's cells by Yosys. Registers are 0 at power-up, as the registers of the
+    /// The Verilog of the netlist and of its RAMs, with models of the library's cells by Yosys. Registers are 0 at power-up, as the registers of the
     /// design are at their initial values; real cells are so only after a reset.
     pub text: String,
-    /// The same with a planted fault, which a comparison must find.
+    /// The netlist with a planted fault, which a comparison must find.
     pub control: WrongCell,
     /// [`Netlist::sha256`] of the netlist.
     pub netlist_sha256: String,
@@ -215,6 +226,10 @@ pub fn simulatable(
     yosys.run(folder, &script)?;
     let [netlist, models] = [WITH_PORTS, "models.v"].map(|file| read(&folder.join(file)));
     let mut text = netlist? + &models?;
+    let rams = folder.join(RAMS);
+    if rams.exists() {
+        text += &read(&rams)?;
+    }
     let mapped = Netlist::parse(&read(&folder.join(MAPPED))?)?;
     if let Some(gate) = library.clock_gate() {
         text += &gate.model(&mapped.json()["modules"][&gate.cell]);
@@ -226,27 +241,34 @@ pub fn simulatable(
     })
 }
 
-/// Maps the design and writes its netlist. Returns the number of buffers behind registers and ports.
+/// Maps the design and writes its netlist. Returns the RAMs, and the number of buffers behind registers and ports.
 fn map(
     yosys: &Yosys,
     folder: &Path,
     design: &Design,
     library: &Library,
     clock_gating: bool,
-) -> Result<u64> {
+) -> Result<(Rams, u64)> {
     let top = &design.top;
     write(&folder.join(SCRIPT), &format!("{MAPPING}\n"))?;
     let ends = format!("set_driving_cell {}\n", library.register().cell.cell);
     write(&folder.join(CONSTRAINTS), &ends)?;
+    let words = format!(
+        "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top} -run begin:fine",
+        design.read_commands("any")
+    );
+    yosys.run(folder, &format!("{words}; write_json words.json"))?;
+    let rams = Rams::of(&Netlist::parse(&read(&folder.join("words.json"))?)?, top)?;
     let gates = match clock_gating {
         true => gating::script(LIBERTY) + "; ",
         false => String::new(),
     };
+    // Where `words` is read from a file instead, ABC makes other logic of it.
     let registers = format!(
-        "read_liberty -lib -ignore_miss_func {LIBERTY}; {}; synth -flatten -top {top}; delete t:$scopeinfo; \
+        "{words}; {}synth -run fine:; delete t:$scopeinfo; \
          {gates}dfflegalize -cell $_DFF_P_ 0 ; opt_clean; dfflibmap -liberty {LIBERTY}; \
          abc -g AND,NAND,OR,NOR,XOR,XNOR,MUX; opt_clean -purge; write_json gates.json",
-        design.read_commands("any")
+        rams.cut_out(top, RAMS)
     );
     yosys.run(folder, &registers)?;
     let mut netlist = Netlist::parse(&read(&folder.join("gates.json"))?)?;
@@ -255,12 +277,13 @@ fn map(
     let logic = format!(
         "read_json divided.json; hierarchy -top {top}; \
          abc -liberty {LIBERTY} -constr {CONSTRAINTS} -D {TARGET_PS} -script {SCRIPT}; setundef -zero; splitnets; \
-         opt_clean -purge; rename -hide w:*; rename -enumerate; write_json {MAPPED}; \
-         write_verilog {PLAIN} {WITH_PORTS}; splitnets -ports; opt_clean -purge; \
-         tee -q -o stat.json stat -liberty {LIBERTY} -json; write_verilog {PLAIN} {NETLIST}"
+         opt_clean -purge; rename -hide w:*; rename -enumerate; write_verilog {PLAIN} {WITH_PORTS}; \
+         {}write_json {MAPPED}; splitnets -ports; opt_clean -purge; \
+         tee -q -o stat.json stat -liberty {LIBERTY} -json; write_verilog {PLAIN} {NETLIST}",
+        rams.expose(top)
     );
     yosys.run(folder, &logic)?;
-    Ok(buffers)
+    Ok((rams, buffers))
 }
 
 impl Stat {
