@@ -9,9 +9,10 @@ use super::QuantisedMap;
 /// The least photons of a part, which a thread makes.
 const PART: usize = 1 << 12;
 
-/// The parts for each thread that exist beside the planes at a time. There are few, because their photons take memory twice until
-/// they are joined.
+/// The parts that exist beside the planes at a time: at least two for each thread, and one for each so many photons of the map. There
+/// are few, because their photons take memory twice until they are joined.
 const PARTS_A_THREAD: usize = 2;
+const PHOTONS_A_PART: usize = 1 << 16;
 
 /// The runs of the map in one cube of blocks and of one group, by their indices. They are one run of the planes.
 type CubedRun<'a> = &'a [u32];
@@ -37,7 +38,8 @@ impl QuantisedMap<'_> {
                 .for_each(|run| self.push_run(run, edge, &mut part));
             part
         };
-        let at_once = PARTS_A_THREAD * rayon::current_num_threads();
+        let at_least = PARTS_A_THREAD * rayon::current_num_threads();
+        let at_once = at_least.max(self.map().photons().len() / PHOTONS_A_PART);
         for parts in self.parts(&runs).chunks(at_once) {
             let parts: Vec<_> = parts.par_iter().map(part).collect();
             planes = parts.iter().fold(planes, PhotonPlanes::joined);

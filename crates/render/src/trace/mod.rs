@@ -34,9 +34,10 @@ pub const BATCH_PATHS: u64 = 8192;
 /// small.
 const TASK_PATHS: u64 = 256;
 
-/// The number of tasks for each thread whose photons are kept apart at a time, before they are joined to those before. All tasks of a
-/// batch would take a megabyte.
-const TASKS_A_THREAD: u64 = 2;
+/// The tasks whose photons are kept apart until all of them are done: at least three for each thread, so that threads seldom wait for
+/// each other, and one for each so many photons asked. The photons of a task take some 60 KB.
+const TASKS_A_THREAD: u64 = 3;
+const PHOTONS_A_TASK: u64 = 1 << 14;
 
 /// Tracing fails where fewer than one path in this many stores a photon.
 const PATHS_PER_PHOTON_LIMIT: u64 = 64;
@@ -178,7 +179,9 @@ pub fn trace(
     let stored = AtomicU64::new(0);
     let (mut photons, mut kinds) = (Vec::new(), Vec::new());
     let mut paths = 0;
-    let tasks_at_once = TASKS_A_THREAD * current_num_threads() as u64;
+    let tasks = BATCH_PATHS / TASK_PATHS;
+    let at_least = TASKS_A_THREAD * current_num_threads() as u64;
+    let tasks_at_once = at_least.max(options.photons / PHOTONS_A_TASK).min(tasks);
     while (photons.len() as u64) < options.photons {
         let task = |task: u64| {
             let first = paths + task * TASK_PATHS;
@@ -191,7 +194,6 @@ pub fn trace(
             progress(stored.fetch_add(count, Ordering::Relaxed) + count);
             found
         };
-        let tasks = BATCH_PATHS / TASK_PATHS;
         for first in (0..tasks).step_by(tasks_at_once as usize) {
             let at_once = first..tasks.min(first + tasks_at_once);
             let found: Vec<_> = at_once.into_par_iter().map(task).collect();
