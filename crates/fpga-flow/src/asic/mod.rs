@@ -200,8 +200,8 @@ pub fn measure_simulated(
 /// A mapped netlist, to be simulated.
 #[derive(Clone, Debug)]
 pub struct Simulatable {
-    /// The Verilog of the netlist and of its RAMs, with models of the library's cells by Yosys. Registers are 0 at power-up, as the registers of the
-    /// design are at their initial values; real cells are so only after a reset.
+    /// The Verilog of the netlist and of its RAMs, with models of the library's cells by Yosys. Registers are 0 at power-up, as the
+    /// registers of the design are at their initial values; real cells are so only after a reset.
     pub text: String,
     /// The netlist with a planted fault, which a comparison must find.
     pub control: WrongCell,
@@ -263,7 +263,7 @@ fn map(
         true => gating::script(LIBERTY) + "; ",
         false => String::new(),
     };
-    // Where `words` is read from a file instead, ABC makes other logic of it.
+    // The words are made again: where Yosys reads them from a file instead, ABC makes other logic of them.
     let registers = format!(
         "{words}; {}synth -run fine:; delete t:$scopeinfo; \
          {gates}dfflegalize -cell $_DFF_P_ 0 ; opt_clean; dfflibmap -liberty {LIBERTY}; \

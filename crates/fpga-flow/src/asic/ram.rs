@@ -52,7 +52,7 @@ impl Rams {
     }
 
     /// The name of the module that has the RAMs of `top`. Its instance has the same name.
-    pub(super) fn module(top: &str) -> String {
+    fn module(top: &str) -> String {
         format!("{top}_rams")
     }
 

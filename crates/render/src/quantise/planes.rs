@@ -12,7 +12,7 @@ const PART: usize = 1 << 12;
 /// The parts that exist beside the planes at a time: at least two for each thread, and one for each so many photons of the map. There
 /// are few, because their photons take memory twice until they are joined.
 const PARTS_A_THREAD: usize = 2;
-const PHOTONS_A_PART: usize = 1 << 16;
+const PHOTONS_BESIDE_A_PART: usize = 1 << 16;
 
 /// The runs of the map in one cube of blocks and of one group, by their indices. They are one run of the planes.
 type CubedRun<'a> = &'a [u32];
@@ -39,7 +39,7 @@ impl QuantisedMap<'_> {
             part
         };
         let at_least = PARTS_A_THREAD * rayon::current_num_threads();
-        let at_once = at_least.max(self.map().photons().len() / PHOTONS_A_PART);
+        let at_once = at_least.max(self.map().photons().len() / PHOTONS_BESIDE_A_PART);
         for parts in self.parts(&runs).chunks(at_once) {
             let parts: Vec<_> = parts.par_iter().map(part).collect();
             planes = parts.iter().fold(planes, PhotonPlanes::joined);
@@ -48,7 +48,7 @@ impl QuantisedMap<'_> {
         Ok(planes)
     }
 
-    /// The cube of blocks that a run is in, in the order of the planes, and its group.
+    /// The cube of blocks that a run is in, as z, y, x, by which the planes are sorted, and its group.
     fn cube_of_run(&self, run: u32, edge: u64) -> ([u64; 3], u32) {
         let (block, group) = self.map().block_of_run(run as usize);
         let [x, y, z] = block.map(|at| at / edge);

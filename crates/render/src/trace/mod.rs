@@ -37,7 +37,7 @@ const TASK_PATHS: u64 = 256;
 /// The tasks whose photons are kept apart until all of them are done: at least three for each thread, so that threads seldom wait for
 /// each other, and one for each so many photons asked. The photons of a task take some 60 KB.
 const TASKS_A_THREAD: u64 = 3;
-const PHOTONS_A_TASK: u64 = 1 << 14;
+const ASKED_BESIDE_A_TASK: u64 = 1 << 14;
 
 /// Tracing fails where fewer than one path in this many stores a photon.
 const PATHS_PER_PHOTON_LIMIT: u64 = 64;
@@ -181,7 +181,9 @@ pub fn trace(
     let mut paths = 0;
     let tasks = BATCH_PATHS / TASK_PATHS;
     let at_least = TASKS_A_THREAD * current_num_threads() as u64;
-    let tasks_at_once = at_least.max(options.photons / PHOTONS_A_TASK).min(tasks);
+    let tasks_at_once = at_least
+        .max(options.photons / ASKED_BESIDE_A_TASK)
+        .min(tasks);
     while (photons.len() as u64) < options.photons {
         let task = |task: u64| {
             let first = paths + task * TASK_PATHS;
