@@ -79,39 +79,23 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
-# Area, clock and energy in standard cells, also at the activities of a simulation. Icarus read the netlist of tile-10 for 20 minutes
-# without an end, so machines of that size are not simulated.
-simulated=(paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8,9} tile-6-mixed
-    leaf-7-local7-rgb6d-n4096 stream-shallow-local8-rgb8d-n16384 tile-{6,7}-shallow-local7-rgb6d-n4096)
-not_simulated=(tile-10 chip-lut chip-mixed)
+# Area, clock and energy in standard cells, also at the activities of a simulation. `tile-10` and the chips take half an hour each.
+in_cells=(paper paper-dsp paper-12 paper-5d local local-half fit-cornell fit-ring fit-range stream overlap tile-{4,5,6,7,8,9,10} chip-lut
+    chip-mixed tile-6-mixed leaf-7-local7-rgb6d-n4096 stream-shallow-local8-rgb8d-n16384 tile-{6,7}-shallow-local7-rgb6d-n4096)
+# Measures machines in a library, named by the options, and records them in the library's file, whose name ends in $1.
 measure_in_cells() {
-    target/release/photoncube synth --asic --activity-of cornell "$@" "${simulated[@]/#/--machine=}" --json >target/measured/asic.json
-    target/release/photoncube synth --asic "$@" "${not_simulated[@]/#/--machine=}" --json >target/measured/asic-more.json
-    python3 - target/measured/asic.json target/measured/asic-more.json <<'JOIN'
-import json
-import sys
-
-simulated, more = (json.load(open(path)) for path in sys.argv[1:])
-machines = simulated["machines"]
-after = 1 + next(i for i, row in enumerate(machines) if row["machine"] == "tile-9")
-machines[after:after] = more["machines"]
-path = f"docs/measured/asic-{simulated['library']}.json"
-with open(path, "w") as file:
-    file.write(json.dumps(simulated, indent=2) + "\n")
-JOIN
+    local ending=$1 library
+    shift
+    target/release/photoncube synth --asic --activity-of cornell "$@" --json >target/measured/asic.json
+    library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic.json)
+    cp target/measured/asic.json "docs/measured/asic-$library$ending.json"
 }
-measure_in_cells
+measure_in_cells "" "${in_cells[@]/#/--machine=}"
 # Of some machines also with clock gates, which osu018 has none of.
 if [[ -n $liberty ]]; then
-    measure_in_cells --liberty "$liberty"
-    gated=()
-    for machine in paper local fit-ring overlap stream stream-shallow-local8-rgb8d-n16384 tile-6 tile-6-shallow-local7-rgb6d-n4096; do
-        gated+=(--machine "$machine")
-    done
-    target/release/photoncube synth --asic --clock-gating --activity-of cornell --liberty "$liberty" "${gated[@]}" --json \
-        >target/measured/asic-gated.json
-    library=$(python3 -c 'import json, sys; print(json.load(sys.stdin)["library"])' <target/measured/asic-gated.json)
-    cp target/measured/asic-gated.json "docs/measured/asic-$library-gated.json"
+    measure_in_cells "" --liberty "$liberty" "${in_cells[@]/#/--machine=}"
+    gated=(paper local fit-ring overlap stream stream-shallow-local8-rgb8d-n16384 tile-6 tile-6-shallow-local7-rgb6d-n4096)
+    measure_in_cells -gated --liberty "$liberty" --clock-gating "${gated[@]/#/--machine=}"
 fi
 # The area of chains, from which `fit` and `run` compute how many a device holds.
 chains=()

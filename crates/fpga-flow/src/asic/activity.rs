@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 use serde_json::{Value, json};
 
 use super::CLOCK;
+use super::fanout::{last_net, readers};
 use super::gating;
 use super::library::{Library, Register};
 use crate::error::{Result, ensure, unexpected};
@@ -213,7 +214,8 @@ fn read_instead(module: &mut Value, replaced: &BTreeMap<u64, u64>) -> Result<()>
     Ok(())
 }
 
-/// Puts a register between each input of the module and its readers. Returns the bit of the input by the bit that took its place.
+/// Puts a register between each input of the module and the cells that read it. Returns the bit of the input by the bit that took its
+/// place. An input that only an output of the module reads gets none: Yosys would remove it again.
 fn add_sources(module: &mut Value, register: &Register) -> Result<BTreeMap<u64, u64>> {
     let clock = module["ports"][CLOCK]["bits"][0].clone();
     ensure(clock.is_u64(), || {
@@ -222,8 +224,10 @@ fn add_sources(module: &mut Value, register: &Register) -> Result<BTreeMap<u64, 
     let ports = module["ports"].as_object().into_iter().flatten();
     let inputs = ports.filter(|(name, port)| *name != CLOCK && port["direction"] == "input");
     let bits = inputs.flat_map(|(_, port)| port["bits"].as_array().into_iter().flatten());
-    let inputs: Vec<u64> = bits.filter_map(Value::as_u64).collect();
-    let first = super::fanout::last_net(module) + 1;
+    let read = readers(&module["cells"]);
+    let bits = bits.filter_map(Value::as_u64);
+    let inputs: Vec<u64> = bits.filter(|bit| read.contains_key(bit)).collect();
+    let first = last_net(module) + 1;
     let replaced: BTreeMap<u64, u64> = inputs.iter().copied().zip(first..).collect();
     read_instead(module, &replaced)?;
     let Register {
@@ -288,12 +292,9 @@ mod tests {
             "[get_pins _2_/D] 0.400000000 0.700000000",
             "[get_pins _2_/Q] 0.400000000 0.600000000",
             "[get_pins _2_/QN] 0.400000000 0.400000000",
-            "[get_pins source_0/D] 0.000000000 1.000000000",
-            "[get_pins source_0/Q] 0.000000000 1.000000000",
-            "[get_pins source_0/QN] 0.000000000 0.000000000",
-            "[get_pins source_1/D] 0.400000000 0.300000000",
-            "[get_pins source_1/Q] 0.400000000 0.300000000",
-            "[get_pins source_1/QN] 0.400000000 0.700000000",
+            "[get_pins source_0/D] 0.400000000 0.300000000",
+            "[get_pins source_0/Q] 0.400000000 0.300000000",
+            "[get_pins source_0/QN] 0.400000000 0.700000000",
         ];
         assert_eq!(pins, expected);
         // Bits 3, 4, 5 and 6, without the clock.
@@ -301,8 +302,24 @@ mod tests {
         let cells = &told.netlist.json()["modules"]["top"]["cells"];
         assert_eq!(
             cells["_1_"]["connections"]["A"],
-            cells["source_1"]["connections"]["Q"]
+            cells["source_0"]["connections"]["Q"]
         );
+    }
+
+    /// As the word of a RAM that is a result: it goes from a port to a port.
+    #[test]
+    fn an_input_that_no_cell_reads_has_no_register() {
+        let mut netlist = netlist();
+        let module = &mut netlist.json_mut()["modules"]["top"];
+        module["ports"]["word"] = json!({"direction": "input", "bits": [7]});
+        module["ports"]["result"] = json!({"direction": "output", "bits": [7]});
+        let told = told(netlist, "top", &Library::small(), &activities()).unwrap();
+        let cells = told.netlist.json()["modules"]["top"]["cells"].clone();
+        let sources: Vec<_> = (cells.as_object().unwrap().iter())
+            .filter(|(name, _)| name.starts_with(SOURCE))
+            .map(|(_, cell)| &cell["connections"]["D"])
+            .collect();
+        assert_eq!(sources, [&json!([4])]);
     }
 
     /// A register behind a clock gate whose enable is at 1 in 3 of 10 cycles.

@@ -8,6 +8,7 @@
 //! ports of the netlist.
 
 mod activity;
+mod clock_parts;
 mod fanout;
 mod gating;
 mod library;
@@ -41,8 +42,8 @@ const LIBERTY: &str = "library.lib";
 pub const NETLIST: &str = "mapped.v";
 /// The mapped netlist with the ports of the design, as JSON. Cells and nets have the names that they have in the others.
 const MAPPED: &str = "mapped.json";
-/// The mapped netlist with the ports of the design. It has an instance of the RAMs.
-const WITH_PORTS: &str = "mapped_with_ports.v";
+/// The mapped netlist with an instance of the RAMs in place of their ports, as JSON.
+const WITH_RAMS: &str = "mapped_with_rams.json";
 /// The Verilog of the RAMs, where there are any.
 const RAMS: &str = "rams.v";
 /// The netlist with a register behind each input, and what OpenSTA is told of its pins.
@@ -200,7 +201,7 @@ pub fn measure_simulated(
 /// A mapped netlist, to be simulated.
 #[derive(Clone, Debug)]
 pub struct Simulatable {
-    /// The Verilog of the netlist and of its RAMs, with models of the library's cells by Yosys. Registers are 0 at power-up, as the
+    /// The Verilog of the netlist and of its RAMs, with a buffer before each part of the clock and with models of the library's cells by Yosys. Registers are 0 at power-up, as the
     /// registers of the design are at their initial values; real cells are so only after a reset.
     pub text: String,
     /// The netlist with a planted fault, which a comparison must find.
@@ -219,13 +220,17 @@ pub fn simulatable(
     design: &Design,
     library: &Library,
 ) -> Result<Simulatable> {
+    let mut netlist = Netlist::parse(&read(&folder.join(WITH_RAMS))?)?;
+    clock_parts::divide(&mut netlist, &design.top)?;
+    write(&folder.join("simulated.json"), &netlist.to_string())?;
     let script = format!(
-        "read_liberty -ignore_miss_func {LIBERTY}; select */t:$_DFF_* %co:+[Q] */w:* %i; setattr -set init 1'0 %; \
+        "read_json simulated.json; write_verilog {PLAIN} simulated.v; design -reset; \
+         read_liberty -ignore_miss_func {LIBERTY}; select */t:$_DFF_* %co:+[Q] */w:* %i; setattr -set init 1'0 %; \
          select -clear; write_verilog -noattr models.v"
     );
     yosys.run(folder, &script)?;
-    let [netlist, models] = [WITH_PORTS, "models.v"].map(|file| read(&folder.join(file)));
-    let mut text = netlist? + &models?;
+    let [netlist, models] = ["simulated.v", "models.v"].map(|file| read(&folder.join(file)));
+    let mut text = netlist? + &models? + clock_parts::MODULE;
     let rams = folder.join(RAMS);
     if rams.exists() {
         text += &read(&rams)?;
@@ -277,7 +282,7 @@ fn map(
     let logic = format!(
         "read_json divided.json; hierarchy -top {top}; \
          abc -liberty {LIBERTY} -constr {CONSTRAINTS} -D {TARGET_PS} -script {SCRIPT}; setundef -zero; splitnets; \
-         opt_clean -purge; rename -hide w:*; rename -enumerate; write_verilog {PLAIN} {WITH_PORTS}; \
+         opt_clean -purge; rename -hide w:*; rename -enumerate; write_json {WITH_RAMS}; \
          {}write_json {MAPPED}; splitnets -ports; opt_clean -purge; \
          tee -q -o stat.json stat -liberty {LIBERTY} -json; write_verilog {PLAIN} {NETLIST}",
         rams.expose(top)
