@@ -4,9 +4,9 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-Usage: scripts/accuracy.sh [lighting | passes | confidence | target | radius | peer]
+Usage: scripts/accuracy.sh [lighting | passes | confidence | target | radius | peer | before COMMIT]
 
-Prints tables (Markdown), all but `peer` unless one is named:
+Prints tables (Markdown), all but `peer` and `before` unless one is named:
   lighting    the Cornell box lit in several ways, against the path-traced reference
   passes      progressive photon mapping of it, and of it with balls of glass and metal, by f64 and by integers of
               the default photon format
@@ -15,6 +15,7 @@ Prints tables (Markdown), all but `peer` unless one is named:
   radius      the chi-square rule of the radii beside the schedule, at equal photons, by what the map carries
   peer        CPU seconds to an error, beside Mitsuba's path tracer; installs it from PyPI into a folder of its own,
               and needs Debian's package libllvm19
+  before      CPU seconds to an error, beside the program of an older commit, which is built first
 The truth of `confidence` and `target` is f64 at convergence, made first: two minutes a scene. About 40 minutes on
 two cores; `peer` ten minutes more.
 USAGE
@@ -22,6 +23,13 @@ USAGE
 
 case ${1-all} in
     all | lighting | passes | confidence | target | radius | peer) what=${1-all} ;;
+    before)
+        what=before commit=${2-}
+        [[ -n $commit ]] || {
+            usage >&2
+            exit 2
+        }
+        ;;
     -h | --help)
         usage
         exit 0
@@ -220,11 +228,24 @@ peer() {
     DRJIT_LIBLLVM_PATH=${llvm[0]} "$tools/bin/python" scripts/path_tracer.py target/release/photoncube "$work"
 }
 
+# The program of an older commit beside this one, each with its default options, on scenes with and without caustics.
+before() {
+    git worktree add --quiet --detach "$work/old" "$commit"
+    trap 'git worktree remove --force "$work/old"; rm -rf "$work"' EXIT
+    cargo build --quiet --release --locked --manifest-path "$work/old/Cargo.toml"
+    local scene rows=()
+    for scene in cornell ring docs/scenes/spheres.toml docs/scenes/caustic.toml docs/scenes/balls.toml; do
+        rows+=("$scene" "$(truth_by_integers_of "$scene")")
+    done
+    printf '\n'
+    python3 scripts/before.py "$work/old/target/release/photoncube" target/release/photoncube "${rows[@]}"
+}
+
 for table in lighting passes confidence target radius; do
     if [[ $what == all || $what == "$table" ]]; then
         "$table"
     fi
 done
-if [[ $what == peer ]]; then
-    peer
+if [[ $what == peer || $what == before ]]; then
+    "$what"
 fi

@@ -20,7 +20,7 @@ for option; do
             printf '  --place-cores    also place cores of one chain and of six: two hours\n'
             printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
             printf '                   million random groups: an hour\n'
-            printf '  --liberty=FILE   also measure the machines in these standard cells, which have clock gates, beside those of\n                   osu018: half an hour\n'
+            printf '  --liberty=FILE   also measure the machines in these standard cells, which have clock gates, beside those of\n                   osu018: two hours\n'
             [[ $option == -h || $option == --help ]] && exit 0
             exit 2
             ;;
