@@ -238,7 +238,7 @@ before() {
         rows+=("$scene" "$(truth_by_integers_of "$scene")")
     done
     printf '\n'
-    python3 scripts/before.py "$work/old/target/release/photoncube" target/release/photoncube "${rows[@]}"
+    python3 scripts/accuracy_before.py "$work/old/target/release/photoncube" target/release/photoncube "${rows[@]}"
 }
 
 for table in lighting passes confidence target radius; do

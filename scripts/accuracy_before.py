@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """CPU seconds to an error: `photoncube progressive` of two versions with their default options.
 
-Usage: before.py OLD NEW SCENE TRUTH [SCENE TRUTH ...]
+Usage: accuracy_before.py OLD NEW SCENE TRUTH [SCENE TRUTH ...]
 
 OLD and NEW are programs; TRUTH is a picture of 64 x 64 pixels. Prints the curves, and for the least error that both reach the seconds that
 each takes to it, interpolated on a logarithmic scale; < marks an error that the first point is below already. Seconds are user and
