@@ -17,7 +17,7 @@ Prints tables (Markdown), all but `peer` and `before` unless one is named:
               and needs Debian's package libllvm19
   before      CPU seconds to an error, beside the program of an older commit, which is built first
 The truth of `confidence` and `target` is f64 at convergence, made first: two minutes a scene. About 40 minutes on
-two cores; `peer` ten minutes more.
+two cores; `peer` ten minutes more, `before` six.
 USAGE
 }
 
