@@ -13,7 +13,6 @@ curves are interpolated on a logarithmic scale; ~ marks what lies beyond the mea
 import json
 import os
 import resource
-import subprocess
 import sys
 from pathlib import Path
 
@@ -23,6 +22,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "docs" / "reference"))
 import mitsuba_scene
+from cpu_seconds import progressive, seconds, time_to
 
 SIDE = 128
 SAMPLES = 8192
@@ -49,11 +49,6 @@ def scenes():
         yield name, boxes | {"name": name, "shapes": walls | {"ball": ball}}
 
 
-def seconds(who):
-    used = resource.getrusage(who)
-    return used.ru_utime + used.ru_stime
-
-
 class Mitsuba:
     """A scene in Mitsuba, compiled."""
 
@@ -72,14 +67,7 @@ class Mitsuba:
 
 def photoncube(program, scene, picture, passes):
     """The seconds and the picture of a run with the default options."""
-    start = seconds(resource.RUSAGE_CHILDREN)
-    subprocess.run(
-        [program, "progressive", scene, "-o", picture, "--size", f"{SIDE}x{SIDE}", "--engine", "format", "--passes", str(passes)],
-        check=True,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    used = seconds(resource.RUSAGE_CHILDREN) - start
+    used, _ = progressive(program, scene, picture, SIDE, passes)
     return used, np.array(mi.Bitmap(str(picture))).astype(float)
 
 
@@ -95,13 +83,13 @@ def rel_mse(picture, truth, kept):
     return relative.mean(axis=2)[kept].mean()
 
 
-def time_to(curve, level):
-    """The seconds to an error, and whether that is beyond the measured points."""
-    errors, times = np.log([[error, time] for time, error in curve]).T
-    order = np.argsort(errors)
-    errors, times, level = errors[order], times[order], np.log(level)
-    if errors[0] <= level <= errors[-1]:
-        return np.exp(np.interp(level, errors, times)), ""
+def time_or_guess(curve, level):
+    """The seconds to an error, and ~ where that is extrapolated beyond the measured points."""
+    found = time_to(curve, level)
+    if found is not None:
+        return found, ""
+    errors, times = np.log(sorted((error, time) for time, error in curve)).T
+    level = np.log(level)
     ends = slice(0, 2) if level < errors[0] else slice(-2, None)
     slope, start = np.polyfit(errors[ends], times[ends], 1)
     return np.exp(slope * level + start), "~"
@@ -136,7 +124,7 @@ def main():
             for size, (time, error) in zip(sizes, curve):
                 curves.append(f"| {name} | {who} | {size} | {time:.2f} | {error:.2e} |")
         for level in LEVELS:
-            (theirs, their_mark), (ours, our_mark) = time_to(peer, level), time_to(own, level)
+            (theirs, their_mark), (ours, our_mark) = time_or_guess(peer, level), time_or_guess(own, level)
             levels.append(
                 f"| {name} | {level:.0e} | {their_mark}{theirs:.2f} | {our_mark}{ours:.2f} | {theirs / ours:.1f} | {noise:.1e} |"
             )

@@ -201,8 +201,9 @@ pub fn measure_simulated(
 /// A mapped netlist, to be simulated.
 #[derive(Clone, Debug)]
 pub struct Simulatable {
-    /// The Verilog of the netlist and of its RAMs, with a buffer before each part of the clock and with models of the library's cells by Yosys. Registers are 0 at power-up, as the
-    /// registers of the design are at their initial values; real cells are so only after a reset.
+    /// The Verilog of the netlist and of its RAMs, with a buffer before each part of the clock and with models of the library's cells by
+    /// Yosys. Registers are 0 at power-up, as the registers of the design are at their initial values; real cells are so only after a
+    /// reset.
     pub text: String,
     /// The netlist with a planted fault, which a comparison must find.
     pub control: WrongCell,
