@@ -97,7 +97,6 @@ stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
 stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 stage "build" cargo test --locked --workspace --no-run --quiet
 stage "examples" examples
-stage "all Verilog" all_verilog
 ((${#streams[@]} == 0)) || finish set_up "${streams[0]}"
 streams=()
 
@@ -107,7 +106,9 @@ first_stream() {
     stage "test files a to d" cargo test --locked --workspace --test '[a-d]*' -- --include-ignored
     stage "unit tests" cargo test --locked --workspace --lib --bins -- --include-ignored
     stage "doc tests" cargo test --locked --workspace --doc
+    stage "all Verilog" all_verilog
     stage "Verilog checks" scripts/yosys/check.sh
+    stage "second texts" scripts/yosys/ecp5.sh
     stage "example testbenches" scripts/testbenches.sh
     stage "Yosys scripts" scripts/yosys/scripts.sh
     stage "Quartus projects" scripts/quartus/check.sh
@@ -118,7 +119,6 @@ second_stream() {
     stage "cores by standard tools" scripts/core/check.sh
     stage "board" scripts/board/check.sh
     stage "engines of clusters" scripts/cluster/check.sh
-    stage "second texts" scripts/yosys/ecp5.sh
 }
 
 start first_stream

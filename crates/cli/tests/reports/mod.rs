@@ -245,7 +245,7 @@ fn pages_hold_all_that_they_show_and_say_what_the_report_says() {
 fn a_page_says_what_it_cannot_show() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let many = ["--photons", "200000", "--in-range", "20000", "--maps", "3"];
+    let many = ["--photons", "100000", "--in-range", "20000", "--maps", "3"];
     let small = ["--size", "4x4", "--picture-size", "6x6", "--out", out];
     let report = json(&[&["report", "ring"][..], &many, &small].concat());
     assert!(report["scene_needs"]["smallest_machine"].is_null());

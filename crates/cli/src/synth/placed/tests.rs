@@ -48,12 +48,9 @@ fn cells(netlist: &mut Netlist) -> &mut serde_json::Map<String, Value> {
         .unwrap()
 }
 
-/// Compares each different stage with the golden model and proves the passes; then requires that a wrong LUT
-/// is found.
-fn holds(machine: &str) {
-    let tools = tools();
-    let subject = Subject::of(find_machine(machine).unwrap()).unwrap();
-    let placed = Placed::map(&tools, &subject).unwrap();
+/// Proves the passes of a machine, and compares the netlist of the last stage with the golden model.
+fn placed_equals_the_model<'a>(tools: &'a Tools, subject: &'a Subject) -> Placed<'a> {
+    let placed = Placed::map(tools, subject).unwrap();
     let passes = placed.prove().unwrap();
     assert!(passes[0].cells_changed > 0, "{passes:#?}");
     assert!(
@@ -62,10 +59,17 @@ fn holds(machine: &str) {
             .all(|pass| pass.proven && pass.control_refuted),
         "{passes:#?}"
     );
-    let last = placed.stages().last().unwrap();
-    let verdict = simulated(&placed, &last.netlist).unwrap();
+    let verdict = simulated(&placed, &placed.stages().last().unwrap().netlist).unwrap();
     assert!(verdict.results_compared > 0);
-    let mut wrong = last.netlist.clone();
+    placed
+}
+
+/// Requires also that the comparison and the proof find a fault that is planted in the netlist.
+fn holds(machine: &str) {
+    let tools = tools();
+    let subject = Subject::of(find_machine(machine).unwrap()).unwrap();
+    let placed = placed_equals_the_model(&tools, &subject);
+    let mut wrong = placed.stages().last().unwrap().netlist.clone();
     let lut = cells(&mut wrong)
         .iter_mut()
         .find(|(name, cell)| cell["type"] == "LUT4" && name.starts_with("machine."));
@@ -121,7 +125,9 @@ fn a_sequential_machine_is_the_golden_model_as_it_is_placed() {
 #[test]
 #[ignore = "needs Icarus and Yosys: scripts/setup.sh installs them"]
 fn an_overlapped_machine_is_the_golden_model_as_it_is_placed() {
-    holds("overlap");
+    // No fault is planted in this netlist: Icarus takes long for it, and the other two have the same faults.
+    let subject = Subject::of(find_machine("overlap").unwrap()).unwrap();
+    placed_equals_the_model(&tools(), &subject);
 }
 
 #[test]
