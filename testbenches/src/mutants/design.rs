@@ -134,8 +134,13 @@ pub(super) fn yosys(folder: &Path, design: &Emitted, script: &str) -> Result<(),
         "read_verilog design.v\nhierarchy -top {top}\n{}\n{script}\n",
         ELABORATION.replace("; ", "\n")
     );
+    run(folder, &script)
+}
+
+/// Runs a script, one command a line.
+pub(super) fn run(folder: &Path, script: &str) -> Result<(), DeviceError> {
     let yosys = tools::yosys()?;
-    let script = tools::script_for(&yosys, &script)?;
+    let script = tools::script_for(&yosys, script)?;
     write_file(&folder.join(fpga_flow::SCRIPT), &script)?;
     yosys.run_script(folder)?;
     Ok(())

@@ -1,16 +1,21 @@
 //! Proves that a mutant equals the design: for equal values in all registers and on all input pins, all
 //! registers have equal next values and all outputs have equal values.
 
+use std::path::Path;
+
 use photoncube_hdl::Emitted;
 
 use super::Mutation;
-use super::design::{FLAT, yosys};
+use super::design::{FLAT, run, yosys};
 use super::invariants::{Invariants, around_two};
 use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::tools::ToolError;
 
 /// The time limit of the solver in seconds. A proof that takes longer fails.
 const SECONDS: u32 = 60;
+
+/// The file of the design, the mutant and their comparison.
+const MITER: &str = "miter.il";
 
 /// Proves that mutants equal the design.
 pub(super) struct Prover<'a> {
@@ -24,20 +29,19 @@ impl Prover<'_> {
     /// # Errors
     /// Yosys does not run.
     pub fn proof(&self, mutation: &Mutation) -> Result<Option<String>, DeviceError> {
-        let plain = format!("hierarchy -top miter\nopt -full\n{}", solve("", "miter"));
-        if self.is_proven(mutation, &plain, &[])? {
+        let folder = scratch_folder()?;
+        let folder = folder.path();
+        if self.is_proven_plainly(mutation, folder)? {
             let proof = "the same next values of all registers, from any values, by sat";
             return Ok(Some(proof.to_owned()));
         }
-        let options = "-set-assumes";
-        let known = format!("{}\n{}", around_two(), solve(options, "wrapper"));
-        if self.is_proven(mutation, &known, &[])? {
+        if self.is_proven_within(&[], folder)? {
             let proof = "the same next values of all registers, from any values within the \
                          invariants and the declared count, by sat";
             return Ok(Some(proof.to_owned()));
         }
         let stays = self.invariants.group_stays();
-        if !stays.is_empty() && self.is_proven(mutation, &known, &stays)? {
+        if !stays.is_empty() && self.is_proven_within(&stays, folder)? {
             let proof = "the same next values of all registers, from any values within the invariants and the \
                          declared count, while a group stays valid until it is taken, by sat";
             return Ok(Some(proof.to_owned()));
@@ -45,28 +49,43 @@ impl Prover<'_> {
         Ok(None)
     }
 
-    fn is_proven(
-        &self,
-        mutation: &Mutation,
-        last: &str,
-        more: &[String],
-    ) -> Result<bool, DeviceError> {
+    /// Makes the comparison of the design and the mutant, writes it to [`MITER`] of the folder, and tries to prove it from any
+    /// values of the registers.
+    fn is_proven_plainly(&self, mutation: &Mutation, folder: &Path) -> Result<bool, DeviceError> {
         let (top, options) = (&self.design.top, &mutation.options);
         let script = format!(
             "design -save elaborated\n{FLAT}\nrename {top} gold\ndesign -stash gold\n\
              design -load elaborated\nmutate {options}\n{FLAT}\nrename {top} gate\ndesign -stash gate\n\
              design -copy-from gold -as gold gold\ndesign -copy-from gate -as gate gate\n\
              expose -evert-dff -dff -shared gold gate\n\
-             miter -equiv -flatten -make_assert -make_outputs gold gate miter\n{last}"
+             miter -equiv -flatten -make_assert -make_outputs gold gate miter\nwrite_rtlil {MITER}\n\
+             hierarchy -top miter\nopt -full\n{}",
+            solve("", "miter")
         );
-        let folder = scratch_folder()?;
-        let wrapper = self.invariants.around_miter(more);
-        write_file(&folder.path().join("wrapper.sv"), &wrapper)?;
-        match yosys(folder.path(), self.design, &script) {
-            Ok(()) => Ok(true),
-            Err(error) if is_not_proven(&error) => Ok(false),
-            Err(error) => Err(error),
-        }
+        is_proven(yosys(folder, self.design, &script))
+    }
+
+    /// Tries to prove the comparison in the folder from values within the invariants and these further conditions.
+    fn is_proven_within(&self, more: &[String], folder: &Path) -> Result<bool, DeviceError> {
+        write_file(
+            &folder.join("wrapper.sv"),
+            &self.invariants.around_miter(more),
+        )?;
+        let script = format!(
+            "read_rtlil {MITER}\n{}\n{}\n",
+            around_two(),
+            solve("-set-assumes", "wrapper")
+        );
+        is_proven(run(folder, &script))
+    }
+}
+
+/// Whether the proof that Yosys ran succeeded.
+fn is_proven(ended: Result<(), DeviceError>) -> Result<bool, DeviceError> {
+    match ended {
+        Ok(()) => Ok(true),
+        Err(error) if is_not_proven(&error) => Ok(false),
+        Err(error) => Err(error),
     }
 }
 

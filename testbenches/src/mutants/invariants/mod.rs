@@ -18,10 +18,9 @@ use photoncube_spec::{Machine, Register, Role, SEQUENTIAL, SignalPlace, Step, Wi
 use followers::Followers;
 use relations::Relation;
 
-use super::design::{FLAT, read, yosys};
+use super::design::{FLAT, read, run, yosys};
 use super::kill::Kills;
 use crate::device::{DeviceError, scratch_folder, write_file};
-use crate::tools;
 use crate::verify::VerifyError;
 
 /// The number of rounds of counterexamples after which guesses are dropped.
@@ -374,10 +373,7 @@ impl Invariants {
             "read_rtlil gold.il\n{AROUND}\ntee -o found.txt sat -set-assumes -set broken 1 \
              -max {MOST_AT_ONCE} -show refuted -show place wrapper\n"
         );
-        let yosys = tools::yosys()?;
-        let script = tools::script_for(&yosys, &script)?;
-        write_file(&folder.path().join(fpga_flow::SCRIPT), &script)?;
-        yosys.run_script(folder.path())?;
+        run(folder.path(), &script)?;
         let said = read(&folder.path().join("found.txt"))?;
         let found: Vec<_> = models(&said)
             .into_iter()
