@@ -30,7 +30,7 @@ use crate::device::{DeviceError, hdl_error};
 use crate::tools::{Tool, ToolError};
 use netlist::Netlist;
 use property::{Fault, Method, Property};
-use yosys::{Answer, ask};
+use yosys::{Answer, DESIGN, ask, ask_of_each};
 
 /// The result of the proof of a property.
 #[derive(Clone, Debug, Serialize)]
@@ -205,11 +205,8 @@ fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, Forma
     questions.extend(property.covers.iter().map(|cover| property.search(cover)));
     let commands = property.commands(prefix);
     let harness = property.text();
-    let put = |design: &str, questions: &[_]| {
-        let files = [("design.v", design), ("harness.sv", &harness)];
-        ask(&files, &commands, questions)
-    };
-    let answers = put(design, &questions)?;
+    let files = [(DESIGN, design), ("harness.sv", &harness)];
+    let answers = ask(&files, &commands, &questions)?;
     let mut found: Vec<_> = answers[..1]
         .iter()
         .filter_map(|answer| wrong("the proof", answer, &Answer::Holds))
@@ -222,10 +219,12 @@ fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, Forma
         found.extend(missed);
     }
     let mut control_refuted = !property.faults.is_empty();
-    for fault in &property.faults {
-        let planted = planted(fault, design, prefix)?;
-        let answers = put(&planted, &[property.refutation()])?;
-        let missed = wrong(&fault.put, &answers[0], &Answer::Refuted);
+    let designs = property.faults.iter();
+    let designs = designs.map(|fault| planted(fault, design, prefix));
+    let designs = designs.collect::<Result<Vec<_>, _>>()?;
+    let answers = ask_of_each(&designs, &files[1..], &commands, &property.refutation())?;
+    for (fault, answer) in property.faults.iter().zip(&answers) {
+        let missed = wrong(&fault.put, answer, &Answer::Refuted);
         control_refuted &= missed.is_none();
         found.extend(missed);
     }

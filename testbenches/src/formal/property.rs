@@ -1,7 +1,7 @@
 //! Properties as data: the claim about a module, the method of its proof, and the covers and faults that
 //! check the proof.
 
-use super::yosys::Question;
+use super::yosys::{DESIGN, Question};
 use crate::tools::LOWER;
 
 /// The method of a proof.
@@ -96,7 +96,7 @@ impl Property {
         defines + self.harness
     }
 
-    /// The commands that make the module `harness` from the files `design.v` and `harness.sv`.
+    /// The commands that make the module `harness` from the files [`DESIGN`] and `harness.sv`.
     pub fn commands(&self, prefix: &str) -> String {
         let module = match self.module {
             "" => prefix.to_owned(),
@@ -131,7 +131,7 @@ impl Property {
             Open::Parts => "expose -evert dut/c:*\n".to_owned(),
         };
         format!(
-            "read_verilog -defer design.v\nhierarchy -top {module}\nproc -norom\nrename {module} dut\n{open}\
+            "read_verilog -defer {DESIGN}\nhierarchy -top {module}\nproc -norom\nrename {module} dut\n{open}\
              read_verilog -formal -sv harness.sv\nhierarchy -check -top harness\nproc -norom\n{LOWER}flatten\n\
              memory -nomap\nmemory_map\nopt_clean\ncheck -assert\n"
         )

@@ -22,6 +22,14 @@ pub(super) struct Question {
     pub options: String,
 }
 
+impl Question {
+    /// The line, or lines, of a script.
+    fn command(&self) -> String {
+        let Self { before, options } = self;
+        format!("{before}sat -timeout {SECONDS_EACH} {options}\n")
+    }
+}
+
 /// The answer of `sat`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
@@ -57,6 +65,9 @@ const WORDS: [(&str, Answer); 7] = [
 /// Files for Yosys, by name.
 pub(super) type Files<'a> = [(&'a str, &'a str)];
 
+/// The name of the design's file.
+pub(super) const DESIGN: &str = "design.v";
+
 /// Runs the commands, then each question on their result.
 ///
 /// # Errors
@@ -68,14 +79,46 @@ pub(super) fn ask(
 ) -> Result<Vec<Answer>, DeviceError> {
     let mut script = commands.to_owned();
     for (index, question) in questions.iter().enumerate() {
-        script += &format!(
-            "\nlog {MARK} {index}\n{}sat -timeout {SECONDS_EACH} {}\n",
-            question.before, question.options
-        );
+        script += &format!("\nlog {MARK} {index}\n{}", question.command());
     }
-    let limit = Duration::from_secs(SECONDS_EACH * (questions.len() as u64 + 1));
-    let log = run(files, &script, limit)?;
-    Ok(answers(&log, questions.len()))
+    answers_of(files, &script, questions.len())
+}
+
+/// Asks the question of each of these designs. The commands read the design as the file [`DESIGN`], and run anew for each. One run of
+/// Yosys answers all, because Yosys takes longer to start than to answer most questions.
+///
+/// # Errors
+/// Yosys is missing or does not start, or a file cannot be written.
+pub(super) fn ask_of_each(
+    designs: &[String],
+    files: &Files<'_>,
+    commands: &str,
+    question: &Question,
+) -> Result<Vec<Answer>, DeviceError> {
+    let names: Vec<_> = (0..designs.len())
+        .map(|index| format!("{index}_{DESIGN}"))
+        .collect();
+    let texts = names.iter().zip(designs);
+    let texts = texts.map(|(name, text)| (name.as_str(), text.as_str()));
+    let files: Vec<_> = texts.chain(files.iter().copied()).collect();
+    let mut script = String::new();
+    for (index, name) in names.iter().enumerate() {
+        let commands = commands.replace(DESIGN, name);
+        let question = question.command();
+        script += &format!("log {MARK} {index}\ndesign -reset\n{commands}\n{question}");
+    }
+    answers_of(&files, &script, designs.len())
+}
+
+/// Runs a script with a mark before the output of each question.
+fn answers_of(
+    files: &Files<'_>,
+    script: &str,
+    questions: usize,
+) -> Result<Vec<Answer>, DeviceError> {
+    let limit = Duration::from_secs(SECONDS_EACH * (questions as u64 + 1));
+    let log = run(files, script, limit)?;
+    Ok(answers(&log, questions))
 }
 
 /// Runs a script and returns Yosys's output, to its end or to the time limit.
