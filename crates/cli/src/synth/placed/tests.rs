@@ -125,7 +125,7 @@ fn a_sequential_machine_is_the_golden_model_as_it_is_placed() {
 #[test]
 #[ignore = "needs Icarus and Yosys: scripts/setup.sh installs them"]
 fn an_overlapped_machine_is_the_golden_model_as_it_is_placed() {
-    // No fault is planted in this netlist: Icarus takes long for it, and the other two have the same faults.
+    // No fault is planted here: Icarus takes long for this netlist. The tests of the two other organisations plant the faults.
     let subject = Subject::of(find_machine("overlap").unwrap()).unwrap();
     placed_equals_the_model(&tools(), &subject);
 }
