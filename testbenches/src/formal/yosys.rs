@@ -194,4 +194,34 @@ mod tests {
             matches!(&answers("ERROR: gone", 1)[..], [Answer::None(said)] if said.contains("gone"))
         );
     }
+
+    #[test]
+    #[ignore = "needs Yosys: scripts/setup.sh installs it"]
+    fn each_design_has_its_own_answer() {
+        let of = |sum: &str| {
+            format!(
+                "module m(input [3:0] a, output holds);\nassign holds = ({sum}) == a + a;\nendmodule\n"
+            )
+        };
+        let designs = ["a << 1", "a | 4'd1", "{a[2:0], 1'b0}", "a +"].map(of);
+        let question = Question {
+            before: "",
+            options: "-prove holds 1 m".to_owned(),
+        };
+        let commands = format!("read_verilog {DESIGN}\nprep -top m");
+        let answers = ask_of_each(&designs, &[], &commands, &question).unwrap();
+        let [
+            Answer::Holds,
+            Answer::Refuted,
+            Answer::Holds,
+            Answer::None(said),
+        ] = &answers[..]
+        else {
+            panic!("{answers:?}");
+        };
+        assert!(
+            said.contains("3_design.v") && said.contains("ERROR"),
+            "{said}"
+        );
+    }
 }
