@@ -32,6 +32,7 @@ mod level;
 mod overlap;
 mod parts;
 mod pinned;
+mod registers;
 mod sequential;
 mod simulator;
 mod spatial;

@@ -6,6 +6,7 @@ use rust_hdl::prelude::*;
 
 use crate::emit::{BlockRam, ChannelNames};
 use crate::level::Level;
+use crate::registers::{Answer, Ask};
 
 /// A block of a machine.
 pub struct MachineBlock(pub(crate) Box<dyn Pinned>);
@@ -18,8 +19,8 @@ pub(crate) trait Pinned: Block {
     fn drive(&mut self, row: &[u64]);
     /// Appends the output pins and the registers, in the order of [`pins`].
     fn sample(&self, row: &mut Vec<u64>);
-    /// The path of a register in the top instance; `None` for blocks that hold no such register.
-    fn register_path(&self, _place: SignalPlace) -> Option<String> {
+    /// A register's value, or its path in the top instance; `None` for blocks that hold no such register.
+    fn register(&self, _place: SignalPlace, _ask: Ask) -> Option<Answer> {
         None
     }
     /// The memories of the block whose words have no initial value.
@@ -155,6 +156,15 @@ impl<'a> Driver<'a> {
         let number = self.0.next().expect("a row has a number for each input");
         signal.next = T::from_number(*number);
     }
+}
+
+/// Appends the values of a machine's registers.
+pub(crate) fn sample_registers(block: &impl Pinned, places: &[SignalPlace], row: &mut Vec<u64>) {
+    let value = |&place| {
+        let answer = block.register(place, Ask::Value);
+        answer.expect("a machine holds its registers").value()
+    };
+    row.extend(places.iter().map(value));
 }
 
 macro_rules! drive {

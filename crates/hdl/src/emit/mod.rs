@@ -21,6 +21,7 @@ use crate::build::{NotBuiltIn, build};
 use crate::generator::{self, GeneratorError};
 use crate::level::Level;
 use crate::pinned::{Pinned, pins};
+use crate::registers::{Answer, Ask};
 use crate::unit::{Unit, build_unit, label, unit_pins};
 
 pub(crate) use channels::ChannelNames;
@@ -160,8 +161,8 @@ pub(crate) fn emit_block(
         register_paths: pins.observed[pins.outputs..]
             .iter()
             .map(|pin| {
-                let own = block.register_path(pin.place);
-                own.unwrap_or_else(|| {
+                let own = block.register(pin.place, Ask::Path);
+                own.map(Answer::path).unwrap_or_else(|| {
                     let tables = machine.cell().expect("it has cells");
                     register_path(tables, level, pin.place)
                 })

@@ -4,10 +4,11 @@ use photoncube_spec::{SignalPlace, Spatial};
 use rust_hdl::prelude::*;
 
 use super::machine::LeafMachine;
-use super::registers::{path, value};
+use super::registers::own_register;
 use super::words::{BOXES, GROUPS};
 use crate::emit::BlockRam;
-use crate::pinned::{Driver, Pinned, Word, sample, settle};
+use crate::pinned::{Driver, Pinned, Word, sample, sample_registers, settle};
+use crate::registers::{Answer, Ask};
 
 impl<
     const C: usize,
@@ -107,18 +108,13 @@ impl<
         sample!(self, row: query_ready, group_ready, result_valid);
         row.extend(self.result.iter().map(|result| result.val().number()));
         sample!(self, row: result_count, result_tag, compared, wanted, played);
-        for &place in &self._places {
-            row.push(match place {
-                SignalPlace::Leaf { register, index } => value(self, register, index),
-                of_chain => self.chain.register_value(of_chain),
-            });
-        }
+        sample_registers(self, &self._places, row);
     }
 
-    fn register_path(&self, place: SignalPlace) -> Option<String> {
+    fn register(&self, place: SignalPlace, ask: Ask) -> Option<Answer> {
         match place {
-            SignalPlace::Leaf { register, index } => Some(path(self, register, index)),
-            of_chain => Some(format!("chain.{}", self.chain.register_path(of_chain)?)),
+            SignalPlace::Leaf { register, index } => Some(own_register(self, register, index, ask)),
+            of_chain => Some(self.chain.register(of_chain, ask)?.below("chain.")),
         }
     }
 

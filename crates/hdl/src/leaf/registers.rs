@@ -1,149 +1,17 @@
-//! The places of the registers of a leaf machine before its chain. Each place is stated once, and is read either as the
-//! register's value or as its path in the emitted text.
+//! The places of the registers of a leaf machine before its chain.
 
 use photoncube_spec::LeafRegister;
 
 use super::machine::LeafMachine;
 use super::words::{BoxWords, GroupWords};
 use crate::pinned::Word;
-use crate::spatial::registers::{Answer, Ask, register};
+use crate::registers::{Answer, Ask, register};
 
 const AXES: usize = 3;
 const AXIS_NAMES: [&str; AXES] = ["x", "y", "z"];
 
-/// A register's value in the simulation, by the spec's index.
-pub(super) fn value<
-    const C: usize,
-    const H: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const L: usize,
-    const LP: usize,
-    const HP: usize,
-    const PR: usize,
-    const T: usize,
-    const U: usize,
-    const B: usize,
-    const E: usize,
-    const P: usize,
-    const PP: usize,
-    const GP: usize,
-    const S: usize,
-    const N: usize,
-    const PB: usize,
-    const LB: usize,
-    const KB: usize,
-    const NB: usize,
-    const SB: usize,
-    const OB: usize,
-    const TB: usize,
-    const RB: usize,
->(
-    m: &LeafMachine<
-        C,
-        H,
-        D,
-        R,
-        Q,
-        L,
-        LP,
-        HP,
-        PR,
-        T,
-        U,
-        B,
-        E,
-        P,
-        PP,
-        GP,
-        S,
-        N,
-        PB,
-        LB,
-        KB,
-        NB,
-        SB,
-        OB,
-        TB,
-        RB,
-    >,
-    register: LeafRegister,
-    i: usize,
-) -> u64 {
-    match find(m, register, i, Ask::Value) {
-        Answer::Value(value) => value,
-        Answer::Path(_) => unreachable!("a value was asked for"),
-    }
-}
-
-/// A register's path in the emitted text, by the spec's index.
-pub(super) fn path<
-    const C: usize,
-    const H: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const L: usize,
-    const LP: usize,
-    const HP: usize,
-    const PR: usize,
-    const T: usize,
-    const U: usize,
-    const B: usize,
-    const E: usize,
-    const P: usize,
-    const PP: usize,
-    const GP: usize,
-    const S: usize,
-    const N: usize,
-    const PB: usize,
-    const LB: usize,
-    const KB: usize,
-    const NB: usize,
-    const SB: usize,
-    const OB: usize,
-    const TB: usize,
-    const RB: usize,
->(
-    m: &LeafMachine<
-        C,
-        H,
-        D,
-        R,
-        Q,
-        L,
-        LP,
-        HP,
-        PR,
-        T,
-        U,
-        B,
-        E,
-        P,
-        PP,
-        GP,
-        S,
-        N,
-        PB,
-        LB,
-        KB,
-        NB,
-        SB,
-        OB,
-        TB,
-        RB,
-    >,
-    register: LeafRegister,
-    i: usize,
-) -> String {
-    match find(m, register, i, Ask::Path) {
-        Answer::Path(path) => path,
-        Answer::Value(_) => unreachable!("a path was asked for"),
-    }
-}
-
-fn find<
+/// A register's value or path, by the spec's index.
+pub(super) fn own_register<
     const C: usize,
     const H: usize,
     const D: usize,

@@ -8,6 +8,7 @@ use rust_hdl::prelude::*;
 
 use super::units::{AddUnit, GateUnit, SquareUnit};
 use crate::defaults::defaulted;
+use crate::pinned::{Word, sample};
 
 /// One cell. Widths: `C` query coordinate, `H` photon coordinate, `M` their difference, `Q = 2 M`
 /// its square, `R` radius_sq, `P` power, `V` work and link, `S` sum.
@@ -76,6 +77,11 @@ impl<
             radius_sq_in photon_in present_in power_in link_in work_out sum_out query radius_sq photon power
             work sum gate_unit add_unit addend sum_low sum_high wide_addend
         )
+    }
+
+    /// Appends the values of the registers, in the order of the spec.
+    pub fn sample_registers(&self, row: &mut Vec<u64>) {
+        sample!(self, row: query.q, radius_sq.q, photon.q, power.q, work.q, sum.q);
     }
 }
 

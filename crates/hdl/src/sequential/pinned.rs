@@ -32,22 +32,6 @@ impl<
     const P: usize,
     const V: usize,
     const S: usize,
-> Cell<C, H, M, Q, R, P, V, S>
-{
-    fn sample_registers(&self, row: &mut Vec<u64>) {
-        sample!(self, row: query.q, radius_sq.q, photon.q, power.q, work.q, sum.q);
-    }
-}
-
-impl<
-    const C: usize,
-    const H: usize,
-    const M: usize,
-    const Q: usize,
-    const R: usize,
-    const P: usize,
-    const V: usize,
-    const S: usize,
 > Pinned for Cell<C, H, M, Q, R, P, V, S>
 {
     fn set_clock(&mut self, level: bool) {

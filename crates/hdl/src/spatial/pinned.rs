@@ -5,10 +5,11 @@ use rust_hdl::prelude::*;
 
 use super::machine::SpatialMachine;
 use super::memory::GROUPS;
-use super::registers::{self, Answer, Ask};
+use super::registers;
 use super::square::SquarePair;
 use crate::emit::BlockRam;
-use crate::pinned::{Driver, Pinned, Word, drive, sample, settle};
+use crate::pinned::{Driver, Pinned, Word, drive, sample, sample_registers, settle};
+use crate::registers::{Answer, Ask};
 
 /// The path prefix of a machine's only photon memory.
 const MEMORY: &str = "memory_0.";
@@ -38,55 +39,6 @@ impl<
     }
 
     settle!();
-}
-
-impl<
-    const C: usize,
-    const H: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const L: usize,
-    const LP: usize,
-    const HP: usize,
-    const PR: usize,
-    const T: usize,
-    const U: usize,
-    const B: usize,
-    const E: usize,
-    const P: usize,
-    const PP: usize,
-    const GP: usize,
-    const S: usize,
-    const N: usize,
-> SpatialMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
-{
-    fn ask(&self, place: SignalPlace, ask: Ask) -> Answer {
-        match place {
-            SignalPlace::Head { register, index } => registers::head(self, register, index, ask),
-            SignalPlace::Memory { register, index } => {
-                let memory = &self.memory[0];
-                match ask {
-                    Ask::Value => Answer::Value(memory.value(register, index)),
-                    Ask::Path => Answer::Path(memory.path(register, index)),
-                }
-            }
-            SignalPlace::Engine {
-                engine,
-                register,
-                index,
-            } => registers::engine(&self.engine[engine], register, index, ask),
-            _ => unreachable!("a spatial machine has a head and engines"),
-        }
-    }
-
-    /// The value of a register in the simulation.
-    pub(crate) fn register_value(&self, place: SignalPlace) -> u64 {
-        match self.ask(place, Ask::Value) {
-            Answer::Value(value) => value,
-            Answer::Path(_) => unreachable!("a value was asked for"),
-        }
-    }
 }
 
 impl<
@@ -149,20 +101,25 @@ impl<
         sample!(self, row: query_ready, group_ready, result_valid);
         row.extend(self.result.iter().map(|result| result.val().number()));
         sample!(self, row: result_count);
-        row.extend(self._places.iter().map(|&place| self.register_value(place)));
+        sample_registers(self, &self._places, row);
     }
 
-    fn register_path(&self, place: SignalPlace) -> Option<String> {
-        let below = match place {
-            SignalPlace::Head { .. } => String::new(),
-            SignalPlace::Memory { .. } => MEMORY.to_owned(),
-            SignalPlace::Engine { engine, .. } => format!("engine_{engine}."),
+    fn register(&self, place: SignalPlace, ask: Ask) -> Option<Answer> {
+        Some(match place {
+            SignalPlace::Head { register, index } => registers::head(self, register, index, ask),
+            SignalPlace::Memory { register, index } => self.memory[0]
+                .own_register(register, index, ask)
+                .below(MEMORY),
+            SignalPlace::Engine {
+                engine,
+                register,
+                index,
+            } => {
+                let answer = registers::engine(&self.engine[engine], register, index, ask);
+                answer.below(format_args!("engine_{engine}."))
+            }
             _ => return None,
-        };
-        match self.ask(place, Ask::Path) {
-            Answer::Path(path) => Some(below + &path),
-            Answer::Value(_) => None,
-        }
+        })
     }
 
     fn block_rams(&self) -> Vec<BlockRam> {

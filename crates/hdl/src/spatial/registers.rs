@@ -1,60 +1,11 @@
-//! The places of the registers of an engine, of the head and of the entry. Each place is stated once, and is
-//! read either as the register's value or as its path in the emitted text.
+//! The places of the registers of an engine, of the head and of the entry.
 
 use photoncube_spec::{EngineRegister, HeadRegister, Spatial};
 
 use super::engine::Engine;
 use super::machine::SpatialMachine;
 use crate::pinned::Word;
-
-/// The property of a register that a caller wants.
-#[derive(Copy, Clone)]
-pub(crate) enum Ask {
-    /// The register's value in the simulation.
-    Value,
-    /// The register's path in the emitted text.
-    Path,
-}
-
-/// The value or path of a register.
-pub(crate) enum Answer {
-    /// The register's value in the simulation.
-    Value(u64),
-    /// The register's path below the block.
-    Path(String),
-}
-
-/// A field's name in the text. A register inside hand-written text has a field with `_` before its name.
-pub(crate) fn visible(field: &str) -> &str {
-    field.trim_start_matches('_')
-}
-
-macro_rules! path_of {
-    ($name:ident; $a:ident [$i:expr] . $($rest:tt)+) => {
-        $name += &format!("{}_{}.", $crate::spatial::registers::visible(stringify!($a)), $i);
-        $crate::spatial::registers::path_of!($name; $($rest)+);
-    };
-    ($name:ident; $a:ident . $($rest:tt)+) => {
-        $name += &format!("{}.", $crate::spatial::registers::visible(stringify!($a)));
-        $crate::spatial::registers::path_of!($name; $($rest)+);
-    };
-    ($name:ident; $a:ident) => { $name += $crate::spatial::registers::visible(stringify!($a)); };
-}
-
-macro_rules! register {
-    ($ask:ident, $block:ident, $($path:tt)+) => {
-        match $ask {
-            $crate::spatial::registers::Ask::Value => $crate::spatial::registers::Answer::Value($block.$($path)+.val().number()),
-            $crate::spatial::registers::Ask::Path => {
-                let mut name = String::new();
-                $crate::spatial::registers::path_of!(name; $($path)+);
-                $crate::spatial::registers::Answer::Path(name)
-            }
-        }
-    };
-}
-
-pub(crate) use {path_of, register};
+use crate::registers::{Answer, Ask, register};
 
 const AXES: usize = 3;
 const LANES: usize = Spatial::LANES;

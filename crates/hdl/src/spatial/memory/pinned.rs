@@ -6,6 +6,7 @@ use rust_hdl::prelude::*;
 use super::{GROUPS, LANES, PhotonMemory};
 use crate::emit::BlockRam;
 use crate::pinned::{Driver, Pinned, Word, sample, settle};
+use crate::registers::{Answer, Ask};
 
 impl<const H: usize, const B: usize, const E: usize> PhotonMemory<H, B, E> {
     /// The number of instances of a register, as the spec counts them.
@@ -18,6 +19,14 @@ impl<const H: usize, const B: usize, const E: usize> PhotonMemory<H, B, E> {
             M::WritePower | M::ReadPower | M::WordPower => self.channel.len(),
             M::WriteExponent | M::ReadExponent | M::WordExponent => self.exponent.len(),
             _ => 1,
+        }
+    }
+
+    /// A register's value or path, by the spec's index.
+    pub(crate) fn own_register(&self, register: MemoryRegister, index: usize, ask: Ask) -> Answer {
+        match ask {
+            Ask::Value => Answer::Value(self.value(register, index)),
+            Ask::Path => Answer::Path(self.path(register, index)),
         }
     }
 }
@@ -67,9 +76,11 @@ impl<const H: usize, const B: usize, const E: usize> Pinned for PhotonMemory<H, 
         }
     }
 
-    fn register_path(&self, place: SignalPlace) -> Option<String> {
+    fn register(&self, place: SignalPlace, ask: Ask) -> Option<Answer> {
         match place {
-            SignalPlace::Memory { register, index } => Some(self.path(register, index)),
+            SignalPlace::Memory { register, index } => {
+                Some(self.own_register(register, index, ask))
+            }
             _ => None,
         }
     }
