@@ -363,7 +363,7 @@ const FAULTS_OF_SEVERAL: [CoreFault; 2] = [
 ];
 
 /// Faults in the store of batches, which a core has whose queries have radii.
-const FAULTS_OF_ROUNDS: [CoreFault; 6] = [
+const FAULTS_OF_ROUNDS: [CoreFault; 8] = [
     (
         "a batch on the next set is taken before the last round of the batch that releases the set",
         "rounds",
@@ -379,20 +379,32 @@ const FAULTS_OF_ROUNDS: [CoreFault; 6] = [
     (
         "a radius above the largest is gathered",
         "rounds",
-        "(asked > LARGEST) ? LARGEST : asked",
-        "(finds_nearest[turn] & (asked > LARGEST)) ? LARGEST : asked",
+        "(radius_taken > LARGEST) ? LARGEST : radius_taken",
+        "radius_taken",
     ),
     (
         "the bisection goes on from the radius itself",
         "rounds",
-        "radius_back + 1'b1",
-        "radius_back",
+        "back_radius + 1'b1",
+        "back_radius",
     ),
     (
         "the k nearest have the sums of the last round",
         "rounds",
-        "shows_kept ? kept[{back, back_position}] : sums",
+        "(back_is_nearest & enough & (|back_number)) ? back_kept : sums",
         "sums",
+    ),
+    (
+        "the bisection begins with the number of the batch before",
+        "rounds",
+        "(rounds_given[back] == 1) ? {RADIUS{1'b0}} : numbers[{back, back_position}]",
+        "numbers[{back, back_position}]",
+    ),
+    (
+        "only a batch that was not given fewer rounds than the one before it follows that",
+        "rounds",
+        "~is_last_round & is_behind[turn]",
+        "~is_last_round & ~is_behind[turn]",
     ),
     (
         "a ladder has more rungs than there are registers",

@@ -64,7 +64,7 @@ pub(super) fn ways(
     text += &format!(
         "    {top}_rounds #(.QUERY({query}), .RADIUS_LOW({}), .RADIUS({}), .SUMS({sums}), .COUNT_LOW({}), .COUNT({}), .TAG({}),\n        \
          .POSITION({position}), .LAST_POSITION({last_position}), .LARGEST({}), .NEAREST_ROUNDS({})) rounds_{chain}(.clock(aclk), .reset(reset),\n        \
-         .nearest(nearest), .rungs(rungs), .radii(radii),\n        \
+         .nearest(nearest), .rungs(rungs), .radii(rung_radii),\n        \
          .query_valid(queued_valid_{chain}), .query_ready(queued_ready_{chain}), .query(queued_{chain}),\n        \
          .given_valid(given_valid_{chain}), .given_ready(given_ready_{chain}), .given(given_{chain}),\n        \
          .found_valid(found_valid_{chain}), .found_ready(found_ready_{chain}), .found(found_{chain}),\n        \
@@ -93,10 +93,29 @@ pub(super) fn ways(
     Some(text)
 }
 
-/// The wires of the registers in the top module.
+/// The wires of the registers in the top module, and the radii of the rungs that the stores are given: each at most the largest
+/// radius, in registers, for a comparison in each store would be in its slowest path.
 pub(super) fn wires(core: &Core) -> String {
+    let Some(rounds) = Rounds::of(core) else {
+        return String::new();
+    };
     let ports = outputs(core).map(|(name, width)| format!("    wire {}{name};\n", range(width)));
-    ports.collect()
+    let mut text: String = ports.collect();
+    let width = field(core, CoreRegister::Rung(0)).width;
+    let all = range(Rounds::RUNGS * width);
+    text += &format!(
+        "    reg {all}rung_radii;\n    initial rung_radii = {}'d0;\n    always @(posedge aclk) begin\n",
+        Rounds::RUNGS * width
+    );
+    for rung in 0..Rounds::RUNGS {
+        let bits = format!("[{}:{}]", width * (rung + 1) - 1, width * rung);
+        let largest = format!("{width}'d{}", rounds.largest);
+        let _ = writeln!(
+            text,
+            "        rung_radii{bits} <= (radii{bits} > {largest}) ? {largest} : radii{bits};"
+        );
+    }
+    text + "    end\n"
 }
 
 /// The values of the registers that go to the stores: their names and bits.

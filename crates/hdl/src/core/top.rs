@@ -65,9 +65,7 @@ pub(super) fn top(core: &Core, machine: &str) -> String {
     let sizes = Sizes::of(core, &streams);
     let mut text = head(core);
     text += "    wire reset;\n";
-    if core.has_radii() {
-        text += &rounds::wires(core);
-    }
+    text += &rounds::wires(core);
     text += &inputs::photons(core, &streams.photons, &sizes);
     text += &inputs::queries(core, &streams.queries, &sizes);
     for chain in 0..core.chains {
