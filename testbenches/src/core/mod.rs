@@ -385,8 +385,8 @@ const FAULTS_OF_ROUNDS: [CoreFault; 8] = [
     (
         "the bisection goes on from the radius itself",
         "rounds",
-        "back_radius + 1'b1",
-        "back_radius",
+        "back_radius + 1'b1;",
+        "back_radius;",
     ),
     (
         "the k nearest have the sums of the last round",

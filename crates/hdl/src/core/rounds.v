@@ -146,15 +146,18 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     wire [RADIUS - 1:0] ladder_back = radii[back_round[@RUNG_HIGH@:0] * RADIUS +: RADIUS];
     wire [SUMS - 1:0] sums = found[SUMS - 1:0];
     wire enough = sums[COUNT_LOW +: COUNT] >= nearest;
-    wire [RADIUS - 1:0] number_next = enough ? back_number : back_radius + 1'b1;
+    wire [RADIUS - 1:0] number_if_fewer = back_radius + 1'b1;
+    wire [RADIUS - 1:0] number_next = enough ? back_number : number_if_fewer;
     assign result_valid = found_valid & back_shows;
     assign found_ready = ~back_shows | result_ready;
     wire comes = found_valid & found_ready;
     wire comes_last = comes & back_ends;
     wire ends_round = comes_last & (~back_is_ladder | back_is_last);
     wire [PLACE - 1:0] order_read_next = order_read + ends_round;
-    // A number is at most the largest radius and one more.
-    wire [RADIUS - 1:0] reached = (number_next == LARGEST + 1) ? LARGEST : number_next;
+    // A number is at most the largest radius and one more. Both radii are known before the count is compared.
+    wire [RADIUS - 1:0] radius_if_enough = (back_number == LARGEST + 1) ? LARGEST : back_number;
+    wire [RADIUS - 1:0] radius_if_fewer = (back_radius == LARGEST) ? LARGEST : number_if_fewer;
+    wire [RADIUS - 1:0] reached = enough ? radius_if_enough : radius_if_fewer;
     wire [RADIUS - 1:0] radius_shown = back_is_nearest ? reached : back_radius;
     wire [SUMS - 1:0] sums_shown = (back_is_nearest & enough & (|back_number)) ? back_kept : sums;
     assign result = {back_is_last, radius_shown, found[SUMS + TAG - 1:SUMS], sums_shown};
