@@ -93,8 +93,8 @@ pub(super) fn ways(
     Some(text)
 }
 
-/// The wires of the registers in the top module, and the radii of the rungs that the stores are given: each at most the largest
-/// radius, in registers, for a comparison in each store would be in its slowest path.
+/// The wires of the registers in the top module, and the registers of the rungs' radii that the stores are given. Each of these is at
+/// most the largest radius. The comparison is here, once, because it would lengthen the slowest path of each store.
 pub(super) fn wires(core: &Core) -> String {
     let Some(rounds) = Rounds::of(core) else {
         return String::new();
