@@ -282,6 +282,9 @@ fn compare(
 /// A fault in a module of a core: what it is, the module, a text in it and the text in its place.
 type CoreFault = (&'static str, &'static str, &'static str, &'static str);
 
+/// The module of a fault in the top module. Any other is named as in the text, without the top's name in front.
+const TOP: &str = "";
+
 /// Faults that a verification of a core must find.
 const FAULTS: [CoreFault; 10] = [
     (
@@ -363,7 +366,7 @@ const FAULTS_OF_SEVERAL: [CoreFault; 2] = [
 ];
 
 /// Faults in the store of batches, which a core has whose queries have radii.
-const FAULTS_OF_ROUNDS: [CoreFault; 8] = [
+const FAULTS_OF_ROUNDS: [CoreFault; 9] = [
     (
         "a batch on the next set is taken before the last round of the batch that releases the set",
         "rounds",
@@ -377,10 +380,16 @@ const FAULTS_OF_ROUNDS: [CoreFault; 8] = [
         "word[RELEASE]",
     ),
     (
-        "a radius above the largest is gathered",
+        "a query's own radius above the largest is gathered",
         "rounds",
         "(radius_taken > LARGEST) ? LARGEST : radius_taken",
         "radius_taken",
+    ),
+    (
+        "a rung above the largest radius is gathered",
+        TOP,
+        "LARGEST_RADIUS = ",
+        "LARGEST_RADIUS = ~0 | ",
     ),
     (
         "the bisection goes on from the radius itself",
@@ -435,7 +444,10 @@ pub fn core_controls(core: &Core, kind: DeviceKind, seed: u64) -> Result<Vec<Con
     let emitted = emit_core(core).map_err(hdl_error(core.machine))?;
     let control = |(what, module, from, to): &CoreFault| {
         let mut faulty = emitted.clone();
-        let module = format!("{}_{module}", emitted.top);
+        let module = match *module {
+            TOP => emitted.top.clone(),
+            below => format!("{}_{below}", emitted.top),
+        };
         faulty.text = plant(&emitted.text, &module, from, to)?;
         let options = CoreOptions::new(CoreOptions::CLOCKS, seed);
         let found = match verify_core_text(core, &faulty, kind, &options, &|_| ()) {

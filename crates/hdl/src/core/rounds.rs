@@ -104,15 +104,16 @@ pub(super) fn wires(core: &Core) -> String {
     let width = field(core, CoreRegister::Rung(0)).width;
     let all = range(Rounds::RUNGS * width);
     text += &format!(
-        "    reg {all}rung_radii;\n    initial rung_radii = {}'d0;\n    always @(posedge aclk) begin\n",
+        "    localparam LARGEST_RADIUS = {width}'d{};\n    reg {all}rung_radii;\n    initial rung_radii = {}'d0;\n    \
+         always @(posedge aclk) begin\n",
+        rounds.largest,
         Rounds::RUNGS * width
     );
     for rung in 0..Rounds::RUNGS {
         let bits = format!("[{}:{}]", width * (rung + 1) - 1, width * rung);
-        let largest = format!("{width}'d{}", rounds.largest);
         let _ = writeln!(
             text,
-            "        rung_radii{bits} <= (radii{bits} > {largest}) ? {largest} : radii{bits};"
+            "        rung_radii{bits} <= (radii{bits} > LARGEST_RADIUS) ? LARGEST_RADIUS : radii{bits};"
         );
     }
     text + "    end\n"

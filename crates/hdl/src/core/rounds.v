@@ -50,7 +50,7 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     reg [POSITION - 1:0] ends [0:PLACES - 1];
     reg [ROUND - 1:0] all_rounds [0:PLACES - 1];
     reg [ROUND - 1:0] rounds_given [0:PLACES - 1];
-    // The round that is left is the last. The batch was given fewer rounds than that in the place before.
+    // Whether the next round is the batch's last; whether the batch was given fewer rounds than that in the place before.
     reg [PLACES - 1:0] is_last_next;
     reg [PLACES - 1:0] is_behind;
     // Whether a round was given; and in the search for the k nearest, the bit of the next round, less one.
@@ -73,7 +73,7 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     reg [PLACE - 1:0] first;
     reg [PLACE - 1:0] turn;
     reg [POSITION - 1:0] position;
-    // A query that was given, a clock old.
+    // Whether a query was given to the chain in the clock before; its place and position; its radius.
     reg given_before;
     reg [PLACE + POSITION - 1:0] query_before;
     reg [RADIUS - 1:0] radius_before;
@@ -82,10 +82,10 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     reg [POSITION - 1:0] back_position;
     // The round of a ladder whose results come back.
     reg [ROUND - 1:0] back_round;
-    // What is known of that query, a clock old: the kind of its round; whether that is the batch's last and its results are shown;
-    // whether the query is the batch's last; its radius, its number and the sums that were kept. A result comes at most in every second
-    // clock, because it comes from a place for one word, and some clocks after its query was given. So nothing of this changes in the
-    // clock before it.
+    // What the store holds of that query, read in the clock before: the kind of its batch; whether the round is the batch's last, and
+    // whether its results are shown; whether the query is the last of its batch; its radius, its number and the sums that were kept.
+    // Nothing of this changes in the clock before the query's result comes: results come from a place for one word, hence at most in every
+    // second clock, and a result comes some clocks after its query was given.
     reg back_is_ladder;
     reg back_is_nearest;
     reg back_is_last;
