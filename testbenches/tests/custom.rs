@@ -29,6 +29,12 @@ const SHALLOW_MACHINES: [&str; 3] = [
     "tile-5-shallow-local6x2-rgb4d-n256",
 ];
 
+/// Fine pipelines: engines of all kinds of squarers, and squares from digits and products alone.
+const FINE_MACHINES: [&str; 2] = [
+    "tile-6-fine-local7-mono1-n256",
+    "tile-7-fine-local8-rgb6d-n256",
+];
+
 fn equal(name: &str, kind: DeviceKind, iterations: u64) {
     equal_on(name, kind, Source::Random, iterations);
 }
@@ -56,9 +62,8 @@ fn the_emitted_text_of_custom_machines_equals_the_golden_model() {
 }
 
 /// Random stimulus, the largest sums, streams that wait, and a reset at every clock of a query.
-#[test]
-fn the_emitted_text_of_shallow_pipelines_equals_the_golden_model() {
-    for name in SHALLOW_MACHINES {
+fn pipelines_equal(names: &[&str]) {
+    for &name in names {
         let machine = find_machine(name).unwrap();
         let largest = machine.max_photons() / machine.photons_per_iteration() as u64;
         for (source, iterations) in [
@@ -71,6 +76,16 @@ fn the_emitted_text_of_shallow_pipelines_equals_the_golden_model() {
             equal_on(name, DeviceKind::Text, source, iterations);
         }
     }
+}
+
+#[test]
+fn the_emitted_text_of_shallow_pipelines_equals_the_golden_model() {
+    pipelines_equal(&SHALLOW_MACHINES);
+}
+
+#[test]
+fn the_emitted_text_of_fine_pipelines_equals_the_golden_model() {
+    pipelines_equal(&FINE_MACHINES);
 }
 
 /// Each register of the memory of leaves, of the comparison of boxes and of the chain, in every clock. Every result also equals the

@@ -277,7 +277,7 @@ pub struct GenerateArgs {
     )]
     pub format: Option<String>,
     /// The organisation of the machine of that format: sequential, stream, stream-shallow, tile-4 to tile-10, tile-4-shallow to
-    /// tile-10-shallow, leaf-4 to leaf-10, or leaf-4-radii to leaf-10-radii
+    /// tile-10-shallow, tile-4-fine to tile-10-fine, leaf-4 to leaf-10, or leaf-4-radii to leaf-10-radii
     #[arg(long, value_name = "O", requires = "format", value_parser = CustomOrganisation::from_name)]
     pub organisation: Option<CustomOrganisation>,
     /// A core of N of this leaf machine, behind AXI4-Stream and AXI4-Lite

@@ -1,16 +1,15 @@
 //! Cores whose clock is measured after place and route, and the time that they take for a picture.
 
-use std::collections::BTreeMap;
-
 use anyhow::{Context, Result, ensure};
 use photoncube_driver::Forecast;
 use photoncube_render::{Fit, PhotonMap, QuantisedMap, QueryPoint};
 use photoncube_spec::{Core, Numbers, PhotonFormat, Spatial, find_machine};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::hardware::PictureTime;
 use crate::synth::clock::{Clock, clocks};
-use crate::synth::figures::{AreaRow, PlaceRow};
+use crate::synth::figures::AreaRow;
+use crate::synth::measurements::Measurements;
 
 /// The machine of each chain of the measured cores.
 const CHAIN: &str = "leaf-7-local7-rgb6d-n4096";
@@ -27,21 +26,6 @@ const MEASURED: [(u32, &str); 2] = [
         include_str!("../../../docs/measured/core-6-leaf-7-local7-rgb6d-n4096.json"),
     ),
 ];
-
-#[derive(Deserialize)]
-struct Measurements {
-    machines: Vec<Text>,
-    device: String,
-    tool_versions: BTreeMap<String, String>,
-    areas: Vec<AreaRow>,
-    placements: Vec<PlaceRow>,
-}
-
-#[derive(Deserialize)]
-struct Text {
-    machine: String,
-    verilog_sha256: String,
-}
 
 /// A core that was placed and routed.
 pub struct MeasuredCore {

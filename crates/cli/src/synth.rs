@@ -4,6 +4,7 @@ pub mod asic;
 pub mod clock;
 pub mod figures;
 pub mod layout;
+pub mod measurements;
 pub mod placed;
 pub mod plan;
 pub mod tables;

@@ -8,11 +8,12 @@
 //! - `stream`: one engine, each query with a radius of its own;
 //! - `tile-D`: `2^(D - 4)` engines in a chain, D from 4 to 10, with the radius of the format;
 //! - `stream-shallow`, `tile-D-shallow`: `stream` and `tile-D` with a [shallow](Pipeline::Shallow) pipeline;
+//! - `tile-D-fine`: `tile-D` with a [fine](Pipeline::Fine) pipeline;
 //! - `leaf-D`: the chain of `tile-D` behind a memory that skips the photons far from a batch of queries;
 //! - `leaf-D-radii`: `leaf-D`, each query with a radius of its own.
 //!
 //! `stream-local6x2-rgb4d-n4096` is an example. Squares are made from digits where there is a squarer from digits for the
-//! format, and as one product elsewhere.
+//! format, and as one product elsewhere. `tile-D-fine` also has engines with other squarers.
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -25,18 +26,22 @@ use crate::leaf::Leaf;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
 use crate::spatial::pipelines::{
-    DIGITS, FINE, LEAF, LEAF_LATE_PRODUCT, LEAF_PRODUCT, PRODUCT, SHALLOW,
+    DIGITS, FINE, FINE_DECISIONS, FINE_TABLE, LEAF, LEAF_LATE_PRODUCT, LEAF_PRODUCT, PRODUCT,
+    SHALLOW,
 };
 use crate::spatial::{Cuts, EngineKind, Radius, Spatial, SpatialError};
 
 /// How many pipeline registers the engines of a custom machine have.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Pipeline {
-    /// At most two adders stand between two registers: the shortest clock period on an FPGA, whose LUTs have registers anyway.
+    /// At most two adders stand between two registers, as an FPGA's LUTs have registers anyway.
     Deep,
     /// Two registers stand between a photon and its in-range flag, and one behind each sum: the least energy of a photon test in
     /// standard cells, where registers take most of it.
     Shallow,
+    /// At most one adder or table stands between two registers: the shortest clock period on an FPGA. Of 64 engines, as many as an ECP5
+    /// LFE5U-85F has blocks for take their squares from block RAMs and DSP blocks, whose own registers leave flip-flops for the others.
+    Fine,
 }
 
 /// The organisation of a custom machine.
@@ -71,7 +76,7 @@ pub enum CustomError {
     /// There is no such organisation.
     #[error(
         "there is no organisation `{0}` of custom machines; expected sequential, stream, stream-shallow, tile-4 to tile-10, tile-4-shallow to \
-         tile-10-shallow, leaf-4 to leaf-10, or leaf-4-radii to leaf-10-radii"
+         tile-10-shallow, tile-4-fine to tile-10-fine, leaf-4 to leaf-10, or leaf-4-radii to leaf-10-radii"
     )]
     Organisation(String),
     /// The name of the format is not one.
@@ -100,10 +105,11 @@ impl CustomOrganisation {
     /// There is none; the error lists those there are.
     pub fn from_name(name: &str) -> Result<Self, CustomError> {
         let dimensions = Hypercube::MIN_DIMENSION..=Hypercube::MAX_DIMENSION;
-        let pipelines = [Pipeline::Deep, Pipeline::Shallow];
-        let streams = pipelines.map(|pipeline| Self::Stream { pipeline });
+        // The deep pipeline of a stream has at most one adder between two registers already.
+        let streams = [Pipeline::Deep, Pipeline::Shallow];
+        let streams = streams.map(|pipeline| Self::Stream { pipeline });
         let tiles = dimensions.clone().flat_map(|dimension| {
-            pipelines.map(|pipeline| Self::Tile {
+            [Pipeline::Deep, Pipeline::Shallow, Pipeline::Fine].map(|pipeline| Self::Tile {
                 dimension,
                 pipeline,
             })
@@ -174,6 +180,14 @@ impl CustomOrganisation {
         let (radius, cuts, others) = match self {
             Self::Sequential => return Organisation::Sequential,
             Self::Stream { pipeline } => (Radius::Query, pipeline.cuts(FINE), NO_OTHERS),
+            Self::Tile {
+                dimension,
+                pipeline: Pipeline::Fine,
+            } if !is_product => (
+                Radius::Format,
+                FINE_DECISIONS,
+                fine_blocks(dimension, format),
+            ),
             Self::Tile { pipeline, .. } => {
                 let deep = if is_product { PRODUCT.cuts } else { DIGITS };
                 (Radius::Format, pipeline.cuts(deep), NO_OTHERS)
@@ -205,6 +219,7 @@ impl Pipeline {
         match self {
             Self::Deep => "",
             Self::Shallow => "-shallow",
+            Self::Fine => "-fine",
         }
     }
 
@@ -212,13 +227,14 @@ impl Pipeline {
         match self {
             Self::Deep => "",
             Self::Shallow => ", few pipeline registers",
+            Self::Fine => ", many pipeline registers",
         }
     }
 
-    /// The pipeline registers of an engine, which has those of `deep` in a deep pipeline.
+    /// The pipeline registers of an engine, which has those of `deep` in a deep pipeline and in one that is as fine.
     fn cuts(self, deep: Cuts) -> Cuts {
         match self {
-            Self::Deep => deep,
+            Self::Deep | Self::Fine => deep,
             Self::Shallow => SHALLOW,
         }
     }
@@ -236,6 +252,24 @@ fn leaf_products(dimension: u32) -> &'static [(EngineKind, usize)] {
         5 => &[(LEAF_PRODUCT, 4)],
         _ => &[(LEAF_PRODUCT, 8)],
     }
+}
+
+/// Engines of a fine pipeline whose squares come from block RAMs and DSP blocks. Of 64 engines these are as many as an LFE5U-85F has blocks for,
+/// and of fewer engines as large a part of them. It has 208 block RAMs, of which an engine takes 6 where the table of a difference fits one, and
+/// the queue of results up to 4; and 156 DSP blocks, of which an engine takes 12 (Lattice, FPGA-DS-02012).
+fn fine_blocks(dimension: u32, format: &PhotonFormat) -> &'static [(EngineKind, usize)] {
+    const TABLES: usize = (208 - 4) / 6;
+    const PRODUCTS: usize = 156 / 12;
+    const ALL: usize = 1 << (Hypercube::MAX_DIMENSION - Hypercube::MIN_DIMENSION);
+    // With 8 bits a difference has 11, and the table of its squares takes several block RAMs.
+    const RADIUS_BITS_OF_TABLES: u32 = 7;
+    let engines = 1 << (dimension - Hypercube::MIN_DIMENSION);
+    let tables = match format.radius_bits() <= RADIUS_BITS_OF_TABLES {
+        true => engines * TABLES / ALL,
+        false => 0,
+    };
+    let products = (engines * PRODUCTS + ALL / 2) / ALL;
+    vec![(FINE_TABLE, tables), (PRODUCT, products)].leak()
 }
 
 fn chain(dimension: u32) -> String {
@@ -325,6 +359,7 @@ mod tests {
             "tile-10-local4-mono1-n8",
             "stream-shallow-local6x2-rgb4d-n4096",
             "tile-5-shallow-local7-rgb6d-n4096",
+            "tile-5-fine-local7-rgb6d-n4096",
             "leaf-7-local7-rgb6d-n4096",
             "leaf-7-radii-local7-rgb6d-n4096",
         ] {
@@ -378,6 +413,26 @@ mod tests {
     }
 
     #[test]
+    fn a_fine_machine_has_the_squarers_that_a_device_has_blocks_for() {
+        for (name, squarers) in [
+            ("tile-4-fine-local7-rgb6d-n4096", [1, 0, 0]),
+            ("tile-6-fine-local7-rgb6d-n4096", [1, 2, 1]),
+            ("tile-10-fine-local7-mono1-n8192", [17, 34, 13]),
+            ("tile-10-fine-local8-mono1-n8192", [51, 0, 13]),
+            ("tile-10-fine-local7x1-mono1-n8192", [0, 0, 64]),
+        ] {
+            let machine = find_machine(name).unwrap();
+            let spatial = machine.spatial().unwrap();
+            let kinds = (0..spatial.engines()).map(|engine| spatial.kind(machine.squarer, engine));
+            let kinds: Vec<_> = kinds.map(|kind| kind.squarer).collect();
+            let found = [Squarer::Digits, Squarer::Table, Squarer::Product]
+                .map(|squarer| kinds.iter().filter(|&&kind| kind == squarer).count());
+            assert_eq!(found, squarers, "{name}");
+            assert_eq!(spatial.latency(), 10, "{name}");
+        }
+    }
+
+    #[test]
     fn a_leaf_machine_with_radii_has_another_radius_and_nothing_else() {
         let fixed = find_machine("leaf-6-local7-rgb6d-n4096").unwrap();
         let radii = find_machine("leaf-6-radii-local7-rgb6d-n4096").unwrap();
@@ -409,6 +464,7 @@ mod tests {
         for (name, expected) in [
             ("tiles-4-local7-rgb6d", "no organisation `tiles-4`"),
             ("tile-11-local7-rgb6d", "tile-4 to tile-10, tile-4-shallow"),
+            ("stream-fine-local8-rgb8d", "no organisation `stream-fine`"),
             (
                 "leaf-7-shallow-local7-rgb6d",
                 "no organisation `leaf-7-shallow`",

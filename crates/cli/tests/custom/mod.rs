@@ -50,7 +50,7 @@ fn a_machine_that_cannot_be_made_is_refused() {
         (
             "core",
             FORMAT,
-            "expected sequential, stream, stream-shallow, tile-4 to tile-10, tile-4-shallow to tile-10-shallow, leaf-4 to leaf-10",
+            "expected sequential, stream, stream-shallow, tile-4 to tile-10, tile-4-shallow to tile-10-shallow, tile-4-fine to tile-10-fine, leaf-4 to leaf-10",
         ),
         (
             "stream",

@@ -99,6 +99,8 @@ pub(super) fn engine<
             register!(ask, e, square_pair[pair].far_stage[photon].q)
         }
         E::SquareFar => register!(ask, e, square_pair[pair].lookup[0].far_stage[photon].q),
+        E::SquareDelay => register!(ask, e, square_pair[pair].square_delay[photon].q),
+        E::SquareFarDelay => register!(ask, e, square_pair[pair].far_delay[photon].q),
         E::PairSquare => register!(ask, e, lane[i].pair_square.q),
         E::PairZ => register!(ask, e, lane[i].pair_z.q),
         E::PairFar => register!(ask, e, lane[i].pair_far.q),

@@ -245,6 +245,9 @@ pub(crate) struct SquarePair<
     /// The registers at `Cut::Square`; those of a table are in the block RAM.
     pub square_stage: Vec<Stage<Bits<Q>>>,
     pub far_stage: Vec<Stage<Bit>>,
+    /// The registers at `Cut::SquareDelay`; none where the machine has no such place.
+    pub square_delay: Vec<Stage<Bits<Q>>>,
+    pub far_delay: Vec<Stage<Bit>>,
     _wires: Wires,
 }
 
@@ -269,6 +272,7 @@ impl<
         let lookup = 0..count(Squarer::Table, 1);
         let product = 0..count(Squarer::Product, 2);
         let behind = cuts.has(Cut::Square) && squarer != Squarer::Table;
+        let count_delay = if cuts.has(Cut::SquareDelay) { 2 } else { 0 };
         with_wires!(defaulted!(Self {
             subtract: (lines..2).map(|_| Default::default()).collect(),
             subtract_line: (0..lines).map(|_| Default::default()).collect(),
@@ -278,6 +282,8 @@ impl<
             product: product.map(|_| ProductSquarer::new(cuts, half_steps)).collect(),
             square_stage: Stage::several(2, behind),
             far_stage: Stage::several(2, behind),
+            square_delay: Stage::several(count_delay, true),
+            far_delay: Stage::several(count_delay, true),
         };
             clock query photon_a photon_b square_a square_b far_a far_b _wires
         ))
@@ -341,11 +347,28 @@ impl<
                 (far_stage[photon].d) = (product[photon].far);
             );
         }
+        if self.square_delay.is_empty() {
+            wires!(self, wiring:
+                (square_a) = (square_stage[0].q);
+                (square_b) = (square_stage[1].q);
+                (far_a) = (far_stage[0].q);
+                (far_b) = (far_stage[1].q);
+            );
+            return;
+        }
+        for photon in 0..2 {
+            wires!(self, wiring:
+                (square_delay[photon].clock) = (clock);
+                (far_delay[photon].clock) = (clock);
+                (square_delay[photon].d) = (square_stage[photon].q);
+                (far_delay[photon].d) = (far_stage[photon].q);
+            );
+        }
         wires!(self, wiring:
-            (square_a) = (square_stage[0].q);
-            (square_b) = (square_stage[1].q);
-            (far_a) = (far_stage[0].q);
-            (far_b) = (far_stage[1].q);
+            (square_a) = (square_delay[0].q);
+            (square_b) = (square_delay[1].q);
+            (far_a) = (far_delay[0].q);
+            (far_b) = (far_delay[1].q);
         );
     }
 }

@@ -48,10 +48,11 @@ pub(super) struct Axis {
     pub(super) lookup: Square,
     pub(super) product: u64,
     pub(super) square: Square,
+    pub(super) square_delay: Square,
 }
 
 impl Axis {
-    /// Applies one clock and returns the value after `Cut::Square`.
+    /// Applies one clock and returns the value after `Cut::SquareDelay`.
     pub(super) fn clock(&mut self, rules: &Rules, query: u32, photon: u32) -> Square {
         let d = query as i32 - rules.place(photon) as i32;
         let d = rules.cut(Cut::Difference, &mut self.difference, d);
@@ -60,7 +61,8 @@ impl Axis {
             Squarer::Product => self.product_square(rules, d),
             Squarer::Table => self.table_square(rules, d),
         };
-        rules.cut(Cut::Square, &mut self.square, square)
+        let square = rules.cut(Cut::Square, &mut self.square, square);
+        rules.cut(Cut::SquareDelay, &mut self.square_delay, square)
     }
 
     fn digits_square(&mut self, rules: &Rules, d: i32) -> Square {
@@ -188,6 +190,7 @@ mod tests {
             Cut::Products,
             Cut::Cross,
             Cut::Square,
+            Cut::SquareDelay,
         ];
         for squarer in [Squarer::Digits, Squarer::Product, Squarer::Table] {
             for count in 0..=all.len() {

@@ -136,6 +136,8 @@ impl Writer<'_> {
             R::CrossFar => self.coordinates(|axis| axis.crossed.magnitude.far),
             R::Square => self.coordinates(|axis| axis.square.word),
             R::SquareFar => self.coordinates(|axis| axis.square.far),
+            R::SquareDelay => self.coordinates(|axis| axis.square_delay.word),
+            R::SquareFarDelay => self.coordinates(|axis| axis.square_delay.far),
             R::PairSquare => self.lanes(|lane| lane.pair.square),
             R::PairZ => self.lanes(|lane| lane.pair.z),
             R::PairFar => self.lanes(|lane| lane.pair.far),

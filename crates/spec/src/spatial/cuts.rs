@@ -10,6 +10,7 @@
 /// | `Products` | on each axis m, the magnitude modulo 2^r; the far flag; and the products of m's digits; or d |
 /// | `Cross` | on each axis m, the far flag, and the product of m's two digits; or the whole square |
 /// | `Square` | on each axis d^2 in 2 r bits, and the far flag |
+/// | `SquareDelay` | on each axis d^2 and the far flag one clock later, beside the sum of squares: a block RAM may be far from it |
 /// | `Pair` | x^2 + y^2; z^2; whether any axis is far |
 /// | `Distance` | the sum of the three squares; whether any axis is far |
 /// | `Range` | the in-range flag |
@@ -34,6 +35,7 @@ pub enum Cut {
     Products,
     Cross,
     Square,
+    SquareDelay,
     Pair,
     Distance,
     Range,
@@ -46,12 +48,13 @@ pub enum Cut {
 
 impl Cut {
     /// All places, in the order in which values pass them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Difference,
         Self::Magnitude,
         Self::Products,
         Self::Cross,
         Self::Square,
+        Self::SquareDelay,
         Self::Pair,
         Self::Distance,
         Self::Range,

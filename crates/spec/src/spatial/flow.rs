@@ -65,6 +65,7 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
             "the product of the two digits; from a table, d^2",
         ),
         Cut::Square => ("X Y Z", "square", "d^2"),
+        Cut::SquareDelay => ("X Y Z", "", "d^2, on its way to the sum"),
         Cut::Pair => ("Y", "add", "x^2 + y^2, across z"),
         Cut::Distance => ("D", "add", "x^2 + y^2 + z^2, across w and z"),
         Cut::Range => ("D", "gate", "distance <= radius_sq"),
@@ -95,7 +96,7 @@ impl Spatial {
                 }
             }
             // At these places there is nothing to list without a register.
-            if [Cut::RangeDelay, Cut::Decision].contains(&cut) && !registered {
+            if [Cut::SquareDelay, Cut::RangeDelay, Cut::Decision].contains(&cut) && !registered {
                 continue;
             }
             if cut == Cut::Gate {

@@ -48,6 +48,16 @@ pub(crate) const TABLE: EngineKind = EngineKind {
     cuts: DECISIONS.and(Cut::Square),
 };
 
+/// `FINE` for a full chip, as `DECISIONS` is `DIGITS` for one.
+pub(crate) const FINE_DECISIONS: Cuts = FINE.and(Cut::RangeDelay).and(Cut::Decision);
+
+/// Engines of such a chip whose squarers are tables in block RAMs: one register on the net to the block, and one on
+/// that from it.
+pub(crate) const FINE_TABLE: EngineKind = EngineKind {
+    squarer: Squarer::Table,
+    cuts: TABLE.cuts.and(Cut::SquareDelay),
+};
+
 /// Engines whose squarers are DSP blocks: the DSP block's own registers stand before and behind the product
 /// (behind it at the cut `Cross`), and one more register on each net to and from the block. DSP blocks stand
 /// in a few rows of the chip, and the products of two of them meet at one adder.

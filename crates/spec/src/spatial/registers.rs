@@ -65,6 +65,10 @@ pub enum EngineRegister {
     Square,
     /// |d| exceeds r bits.
     SquareFar,
+    /// `Square`, one clock later.
+    SquareDelay,
+    /// `SquareFar`, one clock later.
+    SquareFarDelay,
     /// x^2 + y^2.
     PairSquare,
     /// z^2.
@@ -434,6 +438,8 @@ rows! {
     Product "product" Coordinates |w| w.product(), Condition::Squarer(Cut::Cross, Product);
     Square "square" Coordinates |w| w.square, At(Cut::Square);
     SquareFar "square_far" Coordinates |_| 1, At(Cut::Square);
+    SquareDelay "square_delay" Coordinates |w| w.square, At(Cut::SquareDelay);
+    SquareFarDelay "square_far_delay" Coordinates |_| 1, At(Cut::SquareDelay);
     PairSquare "pair_square" Lanes |w| w.pair(), At(Cut::Pair);
     PairZ "pair_z" Lanes |w| w.square, At(Cut::Pair);
     PairFar "pair_far" Lanes |_| 1, At(Cut::Pair);
