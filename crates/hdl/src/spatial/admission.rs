@@ -45,6 +45,8 @@ pub(crate) struct Admission {
     pub _promised: Hidden,
     _engines: u64,
     _sizes: HeadSizes,
+    /// Whether at most two LUTs stand before the flags of the entry, which are far away beside engine 0.
+    _short_paths: bool,
 }
 
 /// The handshakes of one clock.
@@ -62,6 +64,7 @@ impl Admission {
         defaulted!(Self {
             _engines: spatial.engines() as u64,
             _sizes: HeadSizes::of(spatial),
+            _short_paths: spatial.is_fine(),
         };
             clock reset query_valid group_valid group_last batch_read query_ready group_ready taken first_taken
             last_taken token_valid is_full has_room clocks_to_last _loaded _open _has_batch _spacing _waits
@@ -132,7 +135,7 @@ impl Logic for Admission {
         self.query_ready.next = taken.query_ready;
         self.group_ready.next = taken.group_ready;
         self.taken.next = taken.group;
-        self.first_taken.next = taken.first;
+        self.first_taken.next = taken.first && !(self._short_paths && self.reset.val());
         self.last_taken.next = taken.last;
         self.token_valid.next = taken.query && !self.reset.val();
         self.is_full.next = self._loaded.0 == self._engines;
@@ -192,6 +195,31 @@ impl Logic for Admission {
                 "gives_back",
             ],
         };
+        // `keep` preserves the parts, which Yosys would share between more LUTs behind each other. A first group that comes with a reset
+        // is not told, because the reset clears all that it would change.
+        let [parts, takes_first, admits_query, takes_query, token_valid] = match self._short_paths {
+            false => [
+                "",
+                "group_valid & full & ~open & (~group_last | fits)",
+                "takes_first",
+                "wire takes_query = query_valid & admits_query;\n",
+                "takes_query & ~reset",
+            ],
+            true => [
+                "(* keep *) wire blocked;\n\
+                 assign blocked = group_last & ~(fits);\n\
+                 (* keep *) wire opens;\n\
+                 assign opens = group_valid & full & ~open & ~reset;\n\
+                 (* keep *) wire fills_up;\n\
+                 assign fills_up = query_valid & ~full & ~reset;\n\
+                 (* keep *) wire follows;\n\
+                 assign follows = query_valid & group_valid & ~open & ~reset;\n",
+                "opens & ~blocked",
+                "(group_valid & ~open & ~blocked)",
+                "",
+                "fills_up | (follows & ~blocked)",
+            ],
+        };
         Verilog::Custom(format!(
             "reg [{l}:0] loaded = {loaded_bits}'d0;\n\
              reg open = 1'd0;\n\
@@ -205,16 +233,17 @@ impl Logic for Admission {
              wire fits = {fits};\n\
              wire admits_group = has_batch & (~group_last | fits);\n\
              wire takes_group = group_valid & admits_group;\n\
-             wire takes_first = group_valid & full & ~open & (~group_last | fits);\n\
+             {parts}\
+             wire takes_first = {takes_first};\n\
              wire takes_last = group_valid & has_batch & group_last & fits;\n\
-             wire admits_query = ~full | takes_first;\n\
-             wire takes_query = query_valid & admits_query;\n\
+             wire admits_query = ~full | {admits_query};\n\
+             {takes_query}\
              always @(*) query_ready = admits_query;\n\
              always @(*) group_ready = admits_group;\n\
              always @(*) taken = takes_group;\n\
              always @(*) first_taken = takes_first;\n\
              always @(*) last_taken = takes_last;\n\
-             always @(*) token_valid = takes_query & ~reset;\n\
+             always @(*) token_valid = {token_valid};\n\
              always @(*) is_full = full;\n\
              always @(*) has_room = room;\n\
              always @(*) clocks_to_last = {{{pad}'d0, spacing}};\n\

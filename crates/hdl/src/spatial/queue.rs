@@ -35,6 +35,8 @@ pub(crate) struct ResultQueue<const S: usize, const N: usize> {
     _word: (Vec<u64>, u64),
     _place_bits: u32,
     _engines: usize,
+    /// Whether one LUT stands between the comparison of places and `has_waiting`.
+    _short_paths: bool,
 }
 
 impl<const S: usize, const N: usize> ResultQueue<S, N> {
@@ -48,6 +50,7 @@ impl<const S: usize, const N: usize> ResultQueue<S, N> {
             _word: (vec![0; channels], 0),
             _place_bits: sizes.place_bits,
             _engines: spatial.engines(),
+            _short_paths: spatial.is_fine(),
         };
             clock reset result_valid_in result_count_in result_ready result_valid result_count batch_read
             _write_place _newest_place _read_place _has_waiting _has_result
@@ -134,6 +137,10 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
         // No word is read in the clock in which it is written, so no logic needs to distinguish old from new.
         // The comparison with the newest place depends only on registers. `keep` preserves it, so that Yosys
         // does not move late signals into it.
+        let reads = match self._short_paths {
+            false => "wire reads =",
+            true => "(* keep *) wire reads;\nassign reads =",
+        };
         Verilog::Custom(format!(
             "(* no_rw_check *) reg [{high}:0] results [0:{last}];\n\
              reg [{high}:0] word = {width}'d0;\n\
@@ -145,7 +152,7 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
              integer place;\n\
              initial for (place = 0; place <= {last}; place = place + 1) \
              results[place] = {width}'d0;\n\
-             wire reads = has_waiting & (~has_result | result_ready);\n\
+             {reads} has_waiting & (~has_result | result_ready);\n\
              (* keep *) wire is_newest;\n\
              assign is_newest = read_place == newest_place;\n\
              wire reads_newest = reads & is_newest;\n\

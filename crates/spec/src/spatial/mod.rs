@@ -97,6 +97,11 @@ impl Spatial {
     /// Clocks from an engine's result to that of the next engine, where nothing waits.
     pub const RESULT_CLOCKS: u32 = 2;
 
+    /// Whether the engines have a fine pipeline for a full chip, beside which the head's paths must be as short.
+    pub fn is_fine(&self) -> bool {
+        self.cuts == pipelines::FINE_DECISIONS
+    }
+
     /// The number of engines, which is the number of queries in a batch.
     pub fn engines(&self) -> usize {
         1 << self.query_axes
