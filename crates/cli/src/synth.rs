@@ -3,6 +3,8 @@
 pub mod asic;
 pub mod clock;
 pub mod figures;
+#[cfg(test)]
+mod fine;
 pub mod layout;
 pub mod measurements;
 pub mod placed;
