@@ -88,6 +88,15 @@ impl Unit {
         matches!(self, Self::PairDigits | Self::PairProduct | Self::PairTable)
     }
 
+    /// The pipeline registers of a pair of squares: one at every place of a squarer. The place `SquareDelay` is behind it.
+    pub const PAIR_CUTS: Cuts = Cuts::of(&[
+        Cut::Difference,
+        Cut::Magnitude,
+        Cut::Products,
+        Cut::Cross,
+        Cut::Square,
+    ]);
+
     /// The bits of a difference that a pair of squares with operands of `bits` bits uses; a larger difference
     /// is far. As in every spatial machine, they are fewer than the operands' bits.
     pub fn radius_bits(bits: u32) -> u32 {
@@ -101,13 +110,11 @@ impl fmt::Display for Unit {
     }
 }
 
-/// A pipeline register at every place where one may stand.
-const CUTS: Cuts = Cuts::of(&Cut::ALL);
-
 macro_rules! pair {
     ($squarer:expr, $c:literal $d:literal $r:literal $q:literal $l:literal $lp:literal $hp:literal $pr:literal) => {
         Box::new(SquarePair::<$c, $c, $d, $r, $q, $l, $lp, $hp, $pr>::new(
-            CUTS, $squarer,
+            Unit::PAIR_CUTS,
+            $squarer,
         ))
     };
 }

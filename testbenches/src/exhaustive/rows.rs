@@ -2,7 +2,7 @@
 
 use photoncube_hdl::Unit;
 use photoncube_model::CellRules;
-use photoncube_spec::{Cut, Numbers, PlainFormat, Squarer, Unit as CellUnit, Widths};
+use photoncube_spec::{Numbers, PlainFormat, Squarer, Unit as CellUnit, Widths};
 
 use crate::levels::{op_of, result};
 use crate::squares::SquarePair;
@@ -86,9 +86,8 @@ fn powers(bits: u32) -> Vec<u64> {
 fn square_pair(bits: u32, squarer: Squarer) -> Rows {
     let half = (1 << (bits - 1)) - 1;
     let radius = Unit::radius_bits(bits);
-    let of_squares = Cut::ALL.iter().filter(|&&cut| cut < Cut::Pair);
     let mut rows = Rows {
-        latency: of_squares.count(),
+        latency: Unit::PAIR_CUTS.latency() as usize,
         ..Rows::default()
     };
     // The last squares appear after the last operands.
