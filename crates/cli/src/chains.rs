@@ -12,6 +12,7 @@ use photoncube_spec::{
 use serde::{Deserialize, Serialize};
 
 use crate::synth::figures::AreaRow;
+use crate::synth::measurements::Measurements;
 use crate::table;
 
 /// The areas of chains of one format on an ECP5, as `photoncube synth --flow ecp5 --json` prints them; scripts/measure.sh
@@ -40,8 +41,10 @@ pub struct Area {
     pub lut4_equivalents: u64,
     /// Flip-flops.
     pub ff: u64,
-    dsp: u64,
-    block_ram: u64,
+    /// DSP blocks.
+    pub dsp: u64,
+    /// Block RAMs.
+    pub block_ram: u64,
 }
 
 impl Area {
@@ -67,7 +70,7 @@ impl Area {
 }
 
 #[derive(Deserialize)]
-struct Measurements {
+struct MeasuredChains {
     areas: Vec<MeasuredChain>,
 }
 
@@ -83,11 +86,7 @@ struct MeasuredChain {
 /// # Errors
 /// The committed file cannot be read.
 pub fn measured_areas() -> Result<Vec<AreaRow>> {
-    #[derive(Deserialize)]
-    struct Areas {
-        areas: Vec<AreaRow>,
-    }
-    let read: Areas = serde_json::from_str(MEASURED).context("docs/measured/chains.json")?;
+    let read: Measurements = serde_json::from_str(MEASURED).context("docs/measured/chains.json")?;
     Ok(read.areas)
 }
 
@@ -134,7 +133,7 @@ pub fn choose(
     let Some(needed) = &fit.chosen else {
         return Ok(None);
     };
-    let measured: Measurements =
+    let measured: MeasuredChains =
         serde_json::from_str(MEASURED).context("docs/measured/chains.json")?;
     let Some((format, measurement)) = format(fit, &needed.format, noise_ratio)? else {
         return Ok(None);
@@ -242,7 +241,7 @@ mod tests {
     use super::*;
 
     fn measured() -> Vec<MeasuredChain> {
-        serde_json::from_str::<Measurements>(MEASURED)
+        serde_json::from_str::<MeasuredChains>(MEASURED)
             .unwrap()
             .areas
     }
@@ -270,17 +269,8 @@ mod tests {
     #[test]
     fn the_measured_chains_are_those_that_are_emitted() {
         const CHAIN: &str = "leaf-7-local7-rgb6d-n4096";
-        #[derive(Deserialize)]
-        struct Texts {
-            machines: Vec<Text>,
-        }
-        #[derive(Deserialize)]
-        struct Text {
-            machine: String,
-            verilog_sha256: String,
-        }
-        let texts: Texts = serde_json::from_str(MEASURED).unwrap();
-        let text = texts.machines.iter().find(|text| text.machine == CHAIN);
+        let measured: Measurements = serde_json::from_str(MEASURED).unwrap();
+        let text = measured.machines.iter().find(|text| text.machine == CHAIN);
         let emitted = emit(find_machine(CHAIN).unwrap(), Level::Machine).unwrap();
         assert_eq!(
             emitted.ecp5_sha256(),

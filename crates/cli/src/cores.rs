@@ -156,22 +156,17 @@ mod tests {
     use super::*;
     use crate::chains::DEVICE;
     use crate::synth::Subject;
-    use crate::table::grouped;
+    use crate::synth::measurements::part;
 
     /// "| 6 | 61,962 (74 %) | 57,558 (69 %) | 150 | 108 | 122.6 (121.1 to 124.1, 2 seeds) |".
     fn row_of_page(measured: &MeasuredCore) -> String {
         let area = |figure| measured.area.figures[&figure];
-        let part = |figure, of: u64| {
-            let cells = area(figure);
-            let percent = 100.0 * cells as f64 / of as f64;
-            format!("{} ({percent:.0} %)", grouped(cells))
-        };
         let clock = &measured.clock;
         format!(
             "| {} | {} | {} | {} | {} | {:.1} ({:.1} to {:.1}, {} seeds) |\n",
             measured.core.chains,
-            part(Figure::Lut4Equivalents, DEVICE.lut4_equivalents),
-            part(Figure::Ff, DEVICE.ff),
+            part(area(Figure::Lut4Equivalents), DEVICE.lut4_equivalents),
+            part(area(Figure::Ff), DEVICE.ff),
             area(Figure::BlockRam),
             area(Figure::Dsp),
             clock.fmax_mhz,

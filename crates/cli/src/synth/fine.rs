@@ -5,9 +5,9 @@ use photoncube_spec::{Spatial, find_machine};
 
 use super::Subject;
 use super::clock::clocks;
-use super::measurements::Measurements;
+use super::measurements::{Measurements, part};
 use crate::chains::DEVICE;
-use crate::table::{self, grouped};
+use crate::table;
 
 /// What `photoncube synth --json` printed; `scripts/measure.sh --place-chains` writes the files.
 const MEASURED: [&str; 1] = [include_str!(
@@ -25,16 +25,12 @@ fn tests_per_second(measured: &Measurements) -> [f64; 3] {
 
 fn row(measured: &Measurements) -> Vec<String> {
     let figures = &measured.areas[0].figures;
-    let part = |figure, of: u64| {
-        let percent = 100.0 * figures[&figure] as f64 / of as f64;
-        format!("{} ({percent:.0} %)", grouped(figures[&figure]))
-    };
     let clock = &clocks(&measured.placements)[0];
     let text = |[median, low, high]: [f64; 3]| format!("{median:.1} ({low:.1} to {high:.1})");
     vec![
         measured.machines[0].machine.clone(),
-        part(Figure::Lut4Equivalents, DEVICE.lut4_equivalents),
-        part(Figure::Ff, DEVICE.ff),
+        part(figures[&Figure::Lut4Equivalents], DEVICE.lut4_equivalents),
+        part(figures[&Figure::Ff], DEVICE.ff),
         text([clock.fmax_mhz, clock.fmax_mhz_low, clock.fmax_mhz_high]),
         text(tests_per_second(measured)),
     ]
@@ -59,6 +55,12 @@ fn the_page_of_machines_has_the_fine_tiles() {
     let readme = include_str!("../../../../README.md");
     let peak = format!("reaches {:.1} G tests/s", tests_per_second(&measured[0])[0]);
     assert!(readme.contains(&peak), "README.md should say: {peak}");
+    // The spec chooses the squarers by the blocks of the device: no further engine has blocks left.
+    let figures = &measured[0].areas[0].figures;
+    let left = |figure, of: u64| of.checked_sub(figures[&figure]).unwrap();
+    let squares_of_an_engine = 3 * Spatial::LANES as u64;
+    assert!(left(Figure::Dsp, DEVICE.dsp) < squares_of_an_engine);
+    assert!(left(Figure::BlockRam, DEVICE.block_ram) < squares_of_an_engine / 2);
     // A clock of another text would be that of another machine.
     for measured in measured {
         let text = &measured.machines[0];

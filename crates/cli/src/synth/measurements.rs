@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 
 use super::figures::{AreaRow, PlaceRow};
+#[cfg(test)]
+use crate::table::grouped;
 
 /// The area and the clocks of what was measured.
 #[derive(Deserialize)]
@@ -28,4 +30,11 @@ pub struct Text {
     pub machine: String,
     /// The digest.
     pub verilog_sha256: String,
+}
+
+/// "34,826 (42 %)": cells, and their part of those of the device, as pages have it.
+#[cfg(test)]
+pub fn part(cells: u64, of: u64) -> String {
+    let percent = 100.0 * cells as f64 / of as f64;
+    format!("{} ({percent:.0} %)", grouped(cells))
 }
