@@ -45,7 +45,7 @@ pub(crate) struct Admission {
     pub _promised: Hidden,
     _engines: u64,
     _sizes: HeadSizes,
-    /// Whether at most two LUTs stand before the flags of the entry, which are far away beside engine 0.
+    /// Whether few LUTs stand before the flags of the entry, which are far away beside engine 0.
     _short_paths: bool,
 }
 
@@ -195,8 +195,9 @@ impl Logic for Admission {
                 "gives_back",
             ],
         };
-        // `keep` preserves the parts, which Yosys would share between more LUTs behind each other. A first group that comes with a reset
-        // is not told, because the reset clears all that it would change.
+        // Each flag of the entry has a sum of products of its own, whose parts `keep` preserves: where Yosys shares the terms of several
+        // outputs, four LUTs stand behind each other. Two are left before the flag of a first group, three before that of a query.
+        // `first_taken` is 0 in the clock of a reset, which clears all that it would change.
         let [parts, takes_first, admits_query, takes_query, token_valid] = match self._short_paths {
             false => [
                 "",

@@ -137,6 +137,7 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
         // No word is read in the clock in which it is written, so no logic needs to distinguish old from new.
         // The comparison with the newest place depends only on registers. `keep` preserves it, so that Yosys
         // does not move late signals into it.
+        // On short paths it preserves `reads` too, so that one LUT is behind the comparison.
         let reads = match self._short_paths {
             false => "wire reads =",
             true => "(* keep *) wire reads;\nassign reads =",

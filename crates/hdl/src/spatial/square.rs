@@ -245,7 +245,7 @@ pub(crate) struct SquarePair<
     /// The registers at `Cut::Square`; those of a table are in the block RAM.
     pub square_stage: Vec<Stage<Bits<Q>>>,
     pub far_stage: Vec<Stage<Bit>>,
-    /// The registers at `Cut::SquareDelay`; none where the machine has no such place.
+    /// The registers at `Cut::SquareDelay`; empty where no register stands there.
     pub square_delay: Vec<Stage<Bits<Q>>>,
     pub far_delay: Vec<Stage<Bit>>,
     _wires: Wires,
@@ -272,7 +272,7 @@ impl<
         let lookup = 0..count(Squarer::Table, 1);
         let product = 0..count(Squarer::Product, 2);
         let behind = cuts.has(Cut::Square) && squarer != Squarer::Table;
-        let count_delay = if cuts.has(Cut::SquareDelay) { 2 } else { 0 };
+        let delays = if cuts.has(Cut::SquareDelay) { 2 } else { 0 };
         with_wires!(defaulted!(Self {
             subtract: (lines..2).map(|_| Default::default()).collect(),
             subtract_line: (0..lines).map(|_| Default::default()).collect(),
@@ -282,8 +282,8 @@ impl<
             product: product.map(|_| ProductSquarer::new(cuts, half_steps)).collect(),
             square_stage: Stage::several(2, behind),
             far_stage: Stage::several(2, behind),
-            square_delay: Stage::several(count_delay, true),
-            far_delay: Stage::several(count_delay, true),
+            square_delay: Stage::several(delays, true),
+            far_delay: Stage::several(delays, true),
         };
             clock query photon_a photon_b square_a square_b far_a far_b _wires
         ))
