@@ -201,7 +201,6 @@ impl CustomOrganisation {
             cuts,
             others,
             memory_groups: 0,
-            paced: matches!(self, Self::Leaf { .. }),
         };
         match self {
             Self::Leaf { .. } => Organisation::Leaf(Leaf {

@@ -163,8 +163,6 @@ pub(super) fn own_register<
         R::WordBlank => register!(ask, m, player.word_blank.q),
         R::TagWrite => register!(ask, m, tags.tag_write.q),
         R::TagRead => register!(ask, m, tags.tag_read.q),
-        R::HasOldest => register!(ask, m, tags.has_oldest.q),
-        R::Oldest => register!(ask, m, tags.oldest.q),
         R::TagResult => register!(ask, m, tags.tag_result.q),
         R::Filled if i == 0 => register!(ask, m, fill.filled_0.q),
         R::Filled => register!(ask, m, fill.filled_1.q),

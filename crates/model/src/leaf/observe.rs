@@ -92,8 +92,6 @@ impl LeafMachine {
             R::WordBlank => one(player.word.blank.into()),
             R::TagWrite => one(tags.write as u64),
             R::TagRead => one(tags.read as u64),
-            R::HasOldest => one(tags.has_oldest.into()),
-            R::Oldest => one(tags.oldest_word()),
             R::TagResult => one(tags.result.into()),
             R::WritePresent | R::WritePosition | R::WritePower | R::WriteExponent => {
                 self.words(register, &self.memory.write, row);

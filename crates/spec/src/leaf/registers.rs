@@ -47,8 +47,7 @@ macro_rules! registers {
         /// value where no rule gives it another. A reset sets these to 0 and no other: `FillBank`, `FillPlace`,
         /// `FillReady`, `Filled`, `WriteValid`, `HalfValid`, `GroupValid`, `BoxValid`, `Full`, `Loaded`, `Closed`, `Starting`,
         /// `Started`, `Scanning`, `ScanBank`, `Used`, `Returned`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`,
-        /// `QueueCount`, `EntryValid`, `Spacing`, `MayEnd`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`,
-        /// `HasOldest`, `TagResult`.
+        /// `QueueCount`, `EntryValid`, `Spacing`, `MayEnd`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`, `TagResult`.
         #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum LeafRegister {
             $($(#[doc = $doc])+ $register,)+
@@ -321,14 +320,9 @@ registers! {
     /// The place of the next tag. Where the chain takes a token, its tag and whether it is a query are written there, and the place
     /// is incremented.
     TagWrite "tag_write" [|_| 1] |d| d.sizes.tag_place;
-    /// The place of the oldest tag in the memory. Where there is one (`TagRead` is not `TagWrite`), and `HasOldest` is 0 or a result is
-    /// taken, it is *loaded*: `Oldest` := the word at that place, and the place is incremented.
+    /// The place of the tag of the chain's result. A filler's result is taken from the chain at once; a query's where `result_ready`,
+    /// and `result_valid` shows it. Incremented where a result is taken.
     TagRead "tag_read" [|_| 1] |d| d.sizes.tag_place;
-    /// `Oldest` is a token under way. := a tag is loaded, or `HasOldest` and no result is taken.
-    HasOldest "has_oldest" [|_| 1] |_| 1;
-    /// The token of the chain's next result: in bit 0 whether it is a query, above that its tag. A filler's result is taken from the chain at
-    /// once; a query's where `result_ready`, and `result_valid` shows it. The chain takes longer than a tag needs to get here.
-    Oldest "oldest" [|_| 1] |_| Leaf::TAG_BITS + 1;
     /// The number of the chain's result in its batch. Where a result is taken := the next, or 0 behind the batch's last.
     TagResult "tag_result" [|_| 1] |d| d.sizes.result;
 }
