@@ -34,7 +34,7 @@ pub use figure::{CellCounts, Figure, Figures};
 pub use flow::Flow;
 pub use models::Models;
 pub use netlist::{Netlist, Stage};
-pub use path::{Binding, CriticalPath};
+pub use path::{Binding, CriticalPath, EndpointGroup, Endpoints};
 pub use place::{Mapped, Placed, Placer, Routed, Router, Target, Try, map, place};
 pub use program::Program;
 pub use prove::{PassProof, prove};

@@ -9,7 +9,7 @@ use crate::devices::Device;
 use crate::error::{Result, read, write};
 use crate::flow::Flow;
 use crate::netlist::{Netlist, Port, Stage};
-use crate::path::{self, CriticalPath};
+use crate::path::{self, CriticalPath, Endpoints};
 use crate::tools::Tools;
 use crate::utilisation::{Resource, resources};
 use crate::wrapper;
@@ -125,6 +125,8 @@ pub struct Try {
     pub router: Router,
     /// The clock that nextpnr is asked for, in MHz. One that no design reaches makes every path count as slow.
     pub target_mhz: u32,
+    /// Whether to list the registers at which slow paths end.
+    pub lists_endpoints: bool,
 }
 
 /// The result of one placement.
@@ -143,6 +145,8 @@ pub struct Routed {
     pub fmax_mhz: f64,
     /// The path that limits it.
     pub path: CriticalPath,
+    /// The registers at which slow paths end, if they were asked for.
+    pub endpoints: Option<Endpoints>,
     /// The digest of the netlist that was placed, see [`Netlist::sha256`].
     pub netlist_sha256: String,
     /// The resources of the device that are used.
@@ -166,11 +170,16 @@ pub fn place(tools: &Tools, folder: &Path, what: &Try) -> Result<Placed> {
         Ok(_) => {
             // The figures of the routed design; those that nextpnr prints earlier are estimates.
             let report = read(&folder.join(&report))?;
-            let (fmax_mhz, path) = path::parse(&report, &what.device.placement().path)?;
+            let rules = &what.device.placement().path;
+            let (fmax_mhz, path) = path::parse(&report, rules)?;
+            let endpoints = what
+                .lists_endpoints
+                .then(|| path::endpoints(&report, rules));
             let placed = Netlist::parse(&read(&folder.join(NETLIST))?)?;
             Ok(Placed::Routed(Box::new(Routed {
                 fmax_mhz,
                 path,
+                endpoints: endpoints.transpose()?,
                 netlist_sha256: placed.sha256()?,
                 resources,
             })))
@@ -202,7 +211,9 @@ fn options(what: &Try, report: &str, log: &str) -> Vec<String> {
         // The target may be out of reach on purpose, so missing it is not a failure.
         "--timing-allow-fail",
     ];
+    let details = what.lists_endpoints.then_some("--detailed-timing-report");
     let all = first.iter().chain(grade.iter().flatten()).chain(&last);
+    let all = all.chain(&details);
     all.map(|option| (*option).to_owned()).collect()
 }
 
@@ -218,6 +229,7 @@ mod tests {
             placer: Placer::Static,
             router: Router::default(),
             target_mhz: 400,
+            lists_endpoints: false,
         }
     }
 
@@ -235,6 +247,11 @@ mod tests {
         );
         let ice40 = of(&attempt("up5k", None));
         assert!(ice40.contains("--up5k --package sg48"), "{ice40}");
+        let listing = Try {
+            lists_endpoints: true,
+            ..attempt("up5k", None)
+        };
+        assert_eq!(of(&listing), ice40 + " --detailed-timing-report");
     }
 
     #[test]

@@ -22,6 +22,7 @@ use crate::synth::{DEFAULT_DEVICE, asic};
 Examples:
   photoncube synth                                   all machines, and writes docs/measured/
   photoncube synth --machine paper --grade 8 --seeds 1
+  photoncube synth --machine paper --flow place --seed 1 --endpoints    where slow paths end
   photoncube synth --machine paper --flow gates --flow intel --json
   photoncube synth --machine paper --update          replaces that machine's rows, no others
   photoncube synth --machine paper --device up5k     area and clock in an iCE40, or what it lacks
@@ -70,6 +71,10 @@ pub struct SynthArgs {
     /// How to route
     #[arg(long, default_value = "router1", value_name = "R", value_parser = routers())]
     pub router: Router,
+    /// Also list the registers at which slow paths end, and how many end there. Where few paths are slow, a change at a few registers
+    /// gives a faster clock
+    #[arg(long, requires = "machines", conflicts_with_all = ["update", "check", "shard"])]
+    pub endpoints: bool,
     /// Runs at the same time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
@@ -86,7 +91,7 @@ pub struct SynthArgs {
     #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "placer", "router", "jobs", "tools", "shard", "state"])]
     pub check: bool,
     /// In standard cells instead: area, clock, and energy of a photon test, by Yosys and OpenSTA, without wires and clock tree
-    #[arg(long, conflicts_with_all = ["chains", "flows", "device", "grades", "seeds", "seed", "map_for", "placer", "router", "out",
+    #[arg(long, conflicts_with_all = ["chains", "flows", "device", "grades", "seeds", "seed", "map_for", "placer", "router", "endpoints", "out",
         "update", "check", "shard", "state"])]
     pub asic: bool,
     /// The Liberty library of the standard cells

@@ -179,7 +179,7 @@ fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) 
         match measured {
             Measured::Area(row) => areas.push(row),
             Measured::Placed(row, used) => {
-                placements.push(row);
+                placements.push(*row);
                 device_use.push(used);
             }
             Measured::TooLarge(used) => device_use.push(used),
@@ -301,6 +301,7 @@ fn text(report: &Report) -> String {
     if !report.fmax_by_grade.is_empty() {
         text += &format!("Clock, {}, post-route:\n", report.device);
         text += &tables::clocks(&report.fmax_by_grade);
+        text += &tables::endpoints(&report.placements);
         text += "\n";
     }
     // The committed figures are of machines in a device that holds them all.

@@ -106,6 +106,7 @@ mod tests {
             fmax_mhz,
             netlist_sha256: None,
             path: None,
+            endpoints: None,
         }
     }
 

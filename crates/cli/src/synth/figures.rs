@@ -6,7 +6,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use fpga_flow::{CriticalPath, Device, FLOWS, Figures, Flow, Placer, Router};
+use fpga_flow::{CriticalPath, Device, Endpoints, FLOWS, Figures, Flow, Placer, Router};
 use photoncube_spec::Machine;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -64,6 +64,9 @@ pub struct PlaceRow {
     pub netlist_sha256: Option<String>,
     /// The critical path; `None` where it was not read.
     pub path: Option<CriticalPath>,
+    /// The registers at which slow paths end; `None` where they were not asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub endpoints: Option<Endpoints>,
 }
 
 /// A row of either file.

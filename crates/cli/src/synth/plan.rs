@@ -35,6 +35,7 @@ pub struct Plan {
     abc9_target_ps: u32,
     placer: Placer,
     router: Router,
+    lists_endpoints: bool,
     /// How many run at the same time.
     pub jobs: usize,
 }
@@ -59,6 +60,7 @@ impl Plan {
             abc9_target_ps: args.map_for,
             placer: args.placer,
             router: args.router,
+            lists_endpoints: args.endpoints,
             jobs: args.jobs.map_or_else(cores, usize::from),
         }
     }
@@ -104,6 +106,7 @@ impl Plan {
             placer: self.placer,
             router: self.router,
             target_mhz: TARGET_MHZ,
+            lists_endpoints: self.lists_endpoints,
         };
         grades
             .flat_map(|&grade| self.seeds.clone().map(move |seed| with(grade, seed)))
@@ -239,8 +242,12 @@ impl Plan {
             fmax_mhz: routed.fmax_mhz,
             netlist_sha256: Some(routed.netlist_sha256),
             path: Some(routed.path),
+            endpoints: routed.endpoints,
         };
-        Ok(Measured::Placed(row, used(true, routed.resources)))
+        Ok(Measured::Placed(
+            Box::new(row),
+            used(true, routed.resources),
+        ))
     }
 
     /// A writer of rows of these groups; each machine has `rows_each` rows.
@@ -282,7 +289,7 @@ pub enum Measured {
     /// The area in a flow.
     Area(AreaRow),
     /// The clock, and what the machine takes of the device.
-    Placed(PlaceRow, DeviceUse),
+    Placed(Box<PlaceRow>, DeviceUse),
     /// The device cannot hold the machine.
     TooLarge(DeviceUse),
 }

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use fpga_flow::{CriticalPath, FLOWS, Figure, Flow};
+use fpga_flow::path::SLOW;
+use fpga_flow::{CriticalPath, EndpointGroup, Endpoints, FLOWS, Figure, Flow};
 
 use super::clock::Clock;
-use super::figures::AreaRow;
+use super::figures::{AreaRow, PlaceRow, Row};
 use super::plan::DeviceUse;
 use crate::table::{self, Table};
 
@@ -147,6 +148,34 @@ pub fn clocks(clocks: &[Clock]) -> String {
     table::markdown(&header, &clocks.iter().map(row).collect::<Vec<_>>())
 }
 
+/// The registers at which slow paths end, a table for each placement that lists them.
+pub fn endpoints(rows: &[PlaceRow]) -> String {
+    let table = |row: &PlaceRow| Some(endpoints_of(row, row.endpoints.as_ref()?));
+    rows.iter().filter_map(table).collect()
+}
+
+fn endpoints_of(row: &PlaceRow, ends: &Endpoints) -> String {
+    let Endpoints { all, slow, groups } = ends;
+    let of_group = |group: &EndpointGroup| {
+        vec![
+            group.registers.clone(),
+            table::grouped(group.slow),
+            format!("{:.2}", group.slowest_ns),
+        ]
+    };
+    let rows: Vec<_> = groups.iter().map(of_group).collect();
+    format!(
+        "\n{}, {}, seed {}: {} of {} paths take {:.0} % of the slowest's time or more. They end at\n{}",
+        row.machine,
+        row.group().what,
+        row.seed,
+        table::grouped(*slow),
+        table::grouped(*all),
+        100.0 * SLOW,
+        table::markdown(&["registers", "slow paths", "slowest, ns"], &rows)
+    )
+}
+
 fn levels(path: &CriticalPath, flow: &Flow) -> String {
     let mut levels = Vec::new();
     let mut name = |number: u64, one: &str, more: &str| match number {
@@ -172,7 +201,46 @@ fn levels(path: &CriticalPath, flow: &Flow) -> String {
 
 #[cfg(test)]
 mod tests {
+    use fpga_flow::{Placer, Router};
+
     use super::*;
+
+    #[test]
+    fn only_placements_that_list_endpoints_have_a_table_of_them() {
+        let without = PlaceRow {
+            machine: "paper".to_owned(),
+            flow: Flow::find("ecp5").unwrap(),
+            speed_grade: Some(8),
+            seed: 2,
+            placer: Placer::default(),
+            router: Router::default(),
+            fmax_mhz: 200.0,
+            netlist_sha256: None,
+            path: None,
+            endpoints: None,
+        };
+        let group = |registers: &str, slow, slowest_ns| EndpointGroup {
+            registers: registers.to_owned(),
+            slow,
+            slowest_ns,
+        };
+        let with = PlaceRow {
+            endpoints: Some(Endpoints {
+                all: 1234,
+                slow: 41,
+                groups: vec![group("cell_*.sum", 40, 5.0), group("control.step", 1, 4.5)],
+            }),
+            ..without.clone()
+        };
+        let expected = "
+paper, speed grade 8, seed 2: 41 of 1,234 paths take 80 % of the slowest's time or more. They end at
+| registers    | slow paths | slowest, ns |
+| ------------ | ---------- | ----------- |
+| cell_*.sum   | 40         | 5.00        |
+| control.step | 1          | 4.50        |
+";
+        assert_eq!(endpoints(&[without, with]), expected);
+    }
 
     #[test]
     fn each_flow_has_a_table_of_its_figures() {

@@ -1,11 +1,15 @@
 //! Facts about the critical path of a routed design, which limits its clock.
 
+mod endpoints;
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::{FlowError, Result, unexpected};
 use crate::wrapper::INSTANCE;
+
+pub use endpoints::{EndpointGroup, Endpoints, SLOW, endpoints};
 
 /// The slowest path from register to register.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
