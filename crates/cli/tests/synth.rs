@@ -124,6 +124,10 @@ fn bad_usage_ends_2_says_what_was_expected_and_writes_nothing() {
         (&["--device", "iCE40"], "LFE5U-85F"),
         (&["--device", "LFE5U-45F"], "is for LFE5U-85F"),
         (&["--device", "up5k", "--grade", "6"], "has only one"),
+        (
+            &["--machine", "paper", "--flow", "gates", "--endpoints"],
+            "add `--flow place`",
+        ),
         (&["--check", "--update"], "cannot be used with"),
         (&["--check", "--out", missing], "no folder"),
         (&["--tools", out], "photoncube setup --synthesis"),

@@ -3,33 +3,23 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
+use photoncube_render::{
+    Batch, BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, REGION_BLOCKS, close_together,
+};
 use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query, QueryRounds};
 
 use crate::cut::Cutter;
 
-/// Blocks on an axis whose queries are in one frame. A frame has one more block on each side, since a query gathers photons
-/// of the blocks around its own.
-const QUERY_BLOCKS: i64 = Numbers::FRAME_BLOCKS as i64 - 2;
 /// Sets of facings that one set of photons serves: each photon's facing says which of these sets it is in.
 const FACING_SETS: usize = Leaf::FACING_BITS as usize;
-/// The longest edge of a batch's box, in search radii. Longer boxes read more leaves; shorter ones leave more engines empty.
-const LONGEST_BATCH: f64 = 1.0;
-
-/// A batch of queries, by their places in the order of the plan.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct FrameBatch {
-    queries: Range<usize>,
-    /// The set of facings that the queries gather, by its index in [`Batches::facing_sets`].
-    facings: usize,
-}
 
 /// The queries of a picture that the machine's coordinates hold together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Frame {
     /// The frame's lowest block.
     origin: [i64; 3],
-    batches: Vec<FrameBatch>,
+    /// Its batches, by their places in [`Batches::batches`].
+    batches: Range<usize>,
 }
 
 /// A query of a set.
@@ -92,7 +82,6 @@ impl<'a> FramePlan<'a> {
             .expect("a leaf machine has a photon format");
         let options = BatchOptions {
             queries: core.engines() as u32,
-            longest: Some(LONGEST_BATCH),
             facings: Facings::Chain,
         };
         let mut plan = Self {
@@ -105,7 +94,7 @@ impl<'a> FramePlan<'a> {
             runs_of_block: runs_by_block(map),
             frames: Vec::new(),
         };
-        plan.cut_into_frames();
+        plan.frames = plan.list_frames();
         plan
     }
 
@@ -130,35 +119,20 @@ impl<'a> FramePlan<'a> {
         &self.frames
     }
 
-    /// Cuts the batches where their queries go to another frame.
-    fn cut_into_frames(&mut self) {
-        for batch in &self.batches.batches {
-            let mut first = batch.queries.start;
-            while first < batch.queries.end {
-                let origin = self.origin(first);
-                let rest = first..batch.queries.end;
-                let end = first
-                    + rest
-                        .take_while(|&query| self.origin(query) == origin)
-                        .count();
-                let batch = FrameBatch {
-                    queries: first..end,
-                    facings: batch.facings,
-                };
-                match self
-                    .frames
-                    .last_mut()
-                    .filter(|frame| frame.origin == origin)
-                {
-                    Some(frame) => frame.batches.push(batch),
-                    None => self.frames.push(Frame {
-                        origin,
-                        batches: vec![batch],
-                    }),
-                }
-                first = end;
+    /// Lists the frames. The queries of a batch are in one region, and each region is in a frame of its own.
+    fn list_frames(&self) -> Vec<Frame> {
+        let mut frames: Vec<Frame> = Vec::new();
+        for (index, batch) in self.batches.batches.iter().enumerate() {
+            let origin = self.origin(batch.queries.start);
+            match frames.last_mut().filter(|frame| frame.origin == origin) {
+                Some(frame) => frame.batches.end = index + 1,
+                None => frames.push(Frame {
+                    origin,
+                    batches: index..index + 1,
+                }),
             }
         }
+        frames
     }
 
     /// The lowest block of a query's frame.
@@ -167,13 +141,14 @@ impl<'a> FramePlan<'a> {
         let (block, _) = self.map.map().place(position);
         block
             .to_array()
-            .map(|block| block.div_euclid(QUERY_BLOCKS) * QUERY_BLOCKS - 1)
+            .map(|block| block.div_euclid(REGION_BLOCKS) * REGION_BLOCKS - 1)
     }
 
     /// The sets of a frame, each with its batches; none where no batch wants a photon.
     pub fn sets(&self, frame: &Frame) -> Vec<Set> {
         let mut all = Vec::new();
-        let mut facings: Vec<_> = frame.batches.iter().map(|batch| batch.facings).collect();
+        let batches = &self.batches.batches[frame.batches.clone()];
+        let mut facings: Vec<_> = batches.iter().map(|batch| batch.facings).collect();
         facings.sort_unstable();
         facings.dedup();
         for facings in facings.chunks(FACING_SETS) {
@@ -225,13 +200,13 @@ impl<'a> FramePlan<'a> {
     /// The batches of a frame that gather some of these sets of facings.
     fn batches(&self, frame: &Frame, facings: &[usize]) -> Vec<SetBatch> {
         let position = |facing: &usize| facings.iter().position(|other| other == facing);
-        let batches = frame.batches.iter();
+        let batches = self.batches.batches[frame.batches.clone()].iter();
         let batches = batches.filter_map(|batch| Some((batch, position(&batch.facings)?)));
         let query = |query: usize| SetQuery {
             index: self.batches.order[query],
             query: self.query(frame, query),
         };
-        let batch = |(batch, set): (&FrameBatch, usize)| SetBatch {
+        let batch = |(batch, set): (&Batch, usize)| SetBatch {
             queries: batch.queries.clone().map(query).collect(),
             facings: facings_with(set),
         };
@@ -298,10 +273,7 @@ fn facings_with(set: usize) -> u32 {
 /// Puts photons of one facing into leaves of photons that are close together.
 fn in_leaves(facing: usize, photons: &[Photon]) -> Vec<PhotonLeaf> {
     let mut order: Vec<_> = (0..photons.len() as u32).collect();
-    let place = |index: u32| {
-        // A coordinate has at most 14 bits.
-        photons[index as usize].position.map(|place| place as u16)
-    };
+    let place = |index: u32| photons[index as usize].position.map(i64::from);
     close_together(&mut order, Core::LEAF_PHOTONS, &place);
     let leaf = |chunk: &[u32]| PhotonLeaf {
         facing: facing as u32,

@@ -4,7 +4,7 @@ use clap::Args as ClapArgs;
 use photoncube_render::{Cull, Facings};
 
 use super::PictureArgs;
-use super::numbers::{count, positive};
+use super::numbers::count;
 use crate::narrow::WideArgs;
 use crate::scenes::SceneName;
 
@@ -16,7 +16,7 @@ const MOST: u32 = 1024;
 #[command(after_help = "\
 Examples:
   photoncube plan cornell
-  photoncube plan ring --photons 500000 --leaf 8 --chain 4,8,16 --longest 1
+  photoncube plan ring --photons 500000 --leaf 8 --chain 4,8,16
   photoncube plan mine.toml --format local6x2-rgb4d-n4096 --json
 
 The queries of the picture are put into batches, one query for each engine of a chain, and the
@@ -35,10 +35,6 @@ pub struct PlanArgs {
     /// Engines of a chain, which are the queries of a batch [default: 8,16,64, those that the chip has]
     #[arg(long, value_delimiter = ',', value_name = "LIST", value_parser = count(1..=MOST))]
     pub chain: Vec<u32>,
-    /// A batch ends before its box is longer than this many radii; without the option three rows are shown: no such
-    /// end, 1.5 and 1
-    #[arg(long, value_name = "R", value_parser = positive)]
-    pub longest: Option<f64>,
     /// How the box of a leaf is compared with that of a batch: `axes`, the gap on each, or `distance`
     #[arg(long, default_value = Cull::Distance.name(), value_name = "C", value_parser = cull)]
     pub cull: Cull,

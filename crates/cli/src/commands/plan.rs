@@ -12,9 +12,6 @@ use crate::stages::{trace_scene, view};
 use crate::table::{grouped, markdown, significant};
 use crate::{output, progress, scenes, sight};
 
-/// The ends of a batch that are compared where none is given, in search radii.
-const LONGEST: [Option<f64>; 3] = [None, Some(1.5), Some(1.0)];
-
 #[derive(Serialize)]
 struct Report {
     scene: String,
@@ -37,7 +34,6 @@ struct Schedule {
     leaf_photons: u32,
     chain_engines: u32,
     chains: u32,
-    longest_radii: Option<f64>,
     #[serde(flatten)]
     cost: Cost,
     /// Photon tests for each photon in range.
@@ -74,26 +70,19 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
             "no query has a photon in range, expected one: give a larger --in-range"
         ));
     }
-    let longest = match args.longest {
-        None => LONGEST.to_vec(),
-        given => vec![given],
-    };
-    let count = args.leaf.len() * chains.len() * longest.len();
+    let count = args.leaf.len() * chains.len();
     let bar = progress::bar("planning", count as u64);
     let mut schedules = Vec::with_capacity(count);
-    for &queries_at_once in &chains {
-        for &longest in &longest {
-            let options = BatchOptions {
-                queries: queries_at_once,
-                longest,
-                facings: args.facings,
-            };
-            let batches = Batches::new(&map, &queries, &options);
-            for &leaf in &args.leaf {
-                let cost = cost(&map, &Leaves::new(&map, leaf), &batches, args.cull);
-                schedules.push(schedule(leaf, options, cost, args.engines, in_range));
-                bar.inc(1);
-            }
+    for &engines_of_chain in &chains {
+        let options = BatchOptions {
+            queries: engines_of_chain,
+            facings: args.facings,
+        };
+        let batches = Batches::new(&map, &queries, &options);
+        for &leaf in &args.leaf {
+            let cost = cost(&map, &Leaves::new(&map, leaf), &batches, args.cull);
+            schedules.push(schedule(leaf, options, cost, args.engines, in_range));
+            bar.inc(1);
         }
     }
     bar.finish_and_clear();
@@ -136,7 +125,6 @@ fn schedule(leaf: u32, options: BatchOptions, cost: Cost, engines: u32, in_range
         leaf_photons: leaf,
         chain_engines: options.queries,
         chains,
-        longest_radii: options.longest,
         tests_per_photon_in_range: cost.photon_tests as f64 / in_range as f64,
         engines_with_query: held,
         reading: cost.reading_clocks as f64 / cost.clocks as f64,
@@ -150,7 +138,6 @@ fn text(report: &Report) -> String {
         "leaf",
         "engines a chain",
         "chains",
-        "box, radii",
         "tests/in range",
         "with a query",
         "reading",
@@ -162,8 +149,6 @@ fn text(report: &Report) -> String {
             row.leaf_photons.to_string(),
             row.chain_engines.to_string(),
             row.chains.to_string(),
-            row.longest_radii
-                .map_or("any".to_owned(), |radii| radii.to_string()),
             significant(row.tests_per_photon_in_range, 3),
             percent(row.engines_with_query),
             percent(row.reading),

@@ -75,6 +75,11 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
     args.grades
         .iter()
         .try_for_each(|&grade| args.device.check_grade(grade))?;
+    if args.endpoints && !args.places() {
+        bail!(
+            "--endpoints: it lists paths of a placed machine, and no --flow names the placement; add `--flow place`"
+        );
+    }
     if args.writes() && args.device.name != DEFAULT_DEVICE {
         bail!(
             "{} is for {}; `{COMMAND} --device {}` prints, if a machine, flow or grade is named and \

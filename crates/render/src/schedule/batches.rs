@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use photoncube_spec::PhotonFormat;
+use photoncube_spec::{Numbers, PhotonFormat};
 
-use super::Bounds;
+use super::{Bounds, close_together};
 use crate::geometry::morton;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
@@ -16,9 +16,6 @@ use crate::view::{Front, QueryPoint};
 pub struct BatchOptions {
     /// The most queries of a batch: the engines of a chain.
     pub queries: u32,
-    /// A batch ends where the next query would make its box longer than this many search radii. Its other engines then
-    /// stay empty.
-    pub longest: Option<f64>,
     /// Whether the queries of a batch must gather photons of equal facings.
     pub facings: Facings,
 }
@@ -76,61 +73,65 @@ pub struct Batches {
     pub facing_sets: Vec<Vec<bool>>,
 }
 
-/// Bits of a place in its block that order queries: eighths of an edge.
-const ORDER_BITS: u32 = 3;
+/// The edge of a *region* in blocks. The queries of a batch are in one region. A frame holds a region and a block on each side of it,
+/// since a query gathers photons of the blocks around its own.
+pub const REGION_BLOCKS: i64 = Numbers::FRAME_BLOCKS as i64 - 2;
+
+/// What decides in which batch a query is.
+struct Place {
+    /// The middle of the query's cell, in half fine steps from the grid's origin.
+    middle: [i64; 3],
+    /// The region's place on a Morton curve through the scene.
+    region: u64,
+    /// The query's facing; with [`Facings::Chain`] its set of facings.
+    facing: usize,
+}
 
 impl Batches {
-    /// Sorts the queries along a Morton curve through the scene, those of one facing in a region after each other, and puts
-    /// them into batches.
+    /// Puts the queries of one facing in a region into batches of queries that are close together; the last may be smaller than the
+    /// others. Regions follow each other along a Morton curve through the scene.
     ///
     /// # Panics
     /// For batches without queries, or a map in plain numbers.
     pub fn new(map: &QuantisedMap<'_>, queries: &[QueryPoint], options: &BatchOptions) -> Self {
         assert!(options.queries > 0, "a batch has queries");
+        let size = options.queries as usize;
         let format = map.numbers().format().expect("the map has a photon format");
         let mut facings = FacingSets::default();
-        let mut order: Vec<usize> = (0..queries.len()).collect();
-        order.sort_by_cached_key(|index| {
-            let query = &queries[*index];
-            let place = place(map, format, query);
-            let eighth =
-                place.map(|steps| (steps >> (format.radius_bits() + 1 - ORDER_BITS)) as u64);
-            let region = eighth.map(|eighth| eighth >> (ORDER_BITS + 1));
-            let facing = match options.facings {
+        let mut place = |query: &QueryPoint| Place {
+            middle: middle(map, format, query),
+            region: region(map, query),
+            facing: match options.facings {
                 Facings::Engine => Facing::of(query.normal).index(),
                 Facings::Chain => facings.number(map.map(), &query.front()),
-            };
-            (morton(region), facing, morton(eighth))
-        });
-        let queries: Vec<_> = order.iter().map(|index| queries[*index]).collect();
-        let radius = f64::from(2 * format.radius_steps());
-        let longest = options.longest.map(|radii| (radii * radius) as i64);
+            },
+        };
+        let places: Vec<_> = queries.iter().map(&mut place).collect();
+        let key = |query: u32| {
+            let place = &places[query as usize];
+            (place.region, place.facing)
+        };
+        let mut order: Vec<_> = (0..queries.len() as u32).collect();
+        order.sort_by_key(|&query| key(query));
         let mut batches: Vec<Batch> = Vec::new();
-        for (index, query) in queries.iter().enumerate() {
-            let place = place(map, format, query);
-            let facing = match options.facings {
-                Facings::Engine => 0,
-                Facings::Chain => facings.number(map.map(), &query.front()),
-            };
-            let joined = batches.last_mut().filter(|batch| {
-                let fits = |longest| batch.bounds.with(place).longest() <= longest;
-                let has_room = batch.queries.len() < options.queries as usize;
-                has_room && facing == batch.facings && longest.is_none_or(fits)
-            });
-            match joined {
-                Some(batch) => {
-                    batch.bounds = batch.bounds.with(place);
-                    batch.queries.end = index + 1;
-                }
-                None => batches.push(Batch {
-                    bounds: Bounds::at(place),
-                    queries: index..index + 1,
-                    facings: facing,
-                }),
+        for equal in order.chunk_by_mut(|&query, &next| key(query) == key(next)) {
+            close_together(equal, size, &|query| places[query as usize].middle);
+            for chunk in equal.chunks(size) {
+                let middles = chunk.iter().map(|&query| places[query as usize].middle);
+                let start = batches.last().map_or(0, |batch| batch.queries.end);
+                batches.push(Batch {
+                    bounds: Bounds::around(middles).expect("a chunk is not empty"),
+                    queries: start..start + chunk.len(),
+                    facings: match options.facings {
+                        Facings::Engine => 0,
+                        Facings::Chain => places[chunk[0] as usize].facing,
+                    },
+                });
             }
         }
+        let order: Vec<_> = order.iter().map(|&query| query as usize).collect();
         Self {
-            queries,
+            queries: order.iter().map(|&query| queries[query]).collect(),
             order,
             batches,
             size: options.queries,
@@ -165,8 +166,13 @@ impl FacingSets {
     }
 }
 
-/// The middle of a query's cell, in half fine steps from the grid's origin.
-fn place(map: &QuantisedMap<'_>, format: &PhotonFormat, query: &QueryPoint) -> [i64; 3] {
+fn region(map: &QuantisedMap<'_>, query: &QueryPoint) -> u64 {
+    let (block, _) = map.map().place(query.position);
+    let region = block.to_array();
+    morton(region.map(|block| block.div_euclid(REGION_BLOCKS) as u64))
+}
+
+fn middle(map: &QuantisedMap<'_>, format: &PhotonFormat, query: &QueryPoint) -> [i64; 3] {
     let (block, fraction) = map.map().place(query.position);
     let bits = format.radius_bits();
     let cell = map.query_at(fraction, 0).position;

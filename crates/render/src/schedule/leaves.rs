@@ -81,13 +81,13 @@ fn of_run(
         .next()
         .map(|first| map.map().place(map.map().photons()[first].position).0);
     let block = block.map_or([0; 3], |block| block.to_array());
-    let position = |photon: u32| map.records()[photon as usize].position;
+    let position = |photon: u32| map.records()[photon as usize].position.map(i64::from);
     let mut photons: Vec<_> = (run.start as u32..run.end as u32).collect();
     close_together(&mut photons, size, &position);
     let middle = |photon: &u32| {
         let position = position(*photon);
         [0, 1, 2].map(|axis| {
-            let cell = (block[axis] << format.position_bits) + i64::from(position[axis]);
+            let cell = (block[axis] << format.position_bits) + position[axis];
             (2 * cell + 1) << format.query_extra_bits
         })
     };
@@ -101,23 +101,23 @@ fn of_run(
     photons.chunks(size).map(leaf).collect()
 }
 
-/// Orders photons so that each chunk of `size` lies close together: splits them at the middle of their longest axis, at a
-/// whole number of chunks, until one chunk is left. Equal arguments give one order.
-pub fn close_together(photons: &mut [u32], size: usize, position: &impl Fn(u32) -> [u16; 3]) {
-    let chunks = photons.len().div_ceil(size);
+/// Orders points, given by their numbers, so that each chunk of `size` lies close together: splits them at the middle of their longest
+/// axis, at a whole number of chunks, until one chunk is left. Equal arguments give one order.
+pub fn close_together(points: &mut [u32], size: usize, position: &impl Fn(u32) -> [i64; 3]) {
+    let chunks = points.len().div_ceil(size);
     if chunks < 2 {
         return;
     }
     let extent = |axis: usize| {
-        let places = photons.iter().map(|photon| position(*photon)[axis]);
+        let places = points.iter().map(|point| position(*point)[axis]);
         let [low, high] = [places.clone().min(), places.max()];
         high.unwrap_or(0) - low.unwrap_or(0)
     };
     let axis = (0..3).max_by_key(|axis| extent(*axis)).unwrap_or(0);
     let middle = chunks / 2 * size;
-    // The photon's own number makes the order total.
-    photons.select_nth_unstable_by_key(middle, |photon| (position(*photon)[axis], *photon));
-    let (low, high) = photons.split_at_mut(middle);
+    // The point's own number makes the order total.
+    points.select_nth_unstable_by_key(middle, |point| (position(*point)[axis], *point));
+    let (low, high) = points.split_at_mut(middle);
     close_together(low, size, position);
     close_together(high, size, position);
 }

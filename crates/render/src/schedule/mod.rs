@@ -13,7 +13,7 @@ mod batches;
 mod cost;
 mod leaves;
 
-pub use batches::{Batch, BatchOptions, Batches, Facings};
+pub use batches::{Batch, BatchOptions, Batches, Facings, REGION_BLOCKS};
 pub use cost::{Cost, cost};
 pub use leaves::{Leaf, Leaves, close_together};
 
@@ -51,15 +51,6 @@ impl Bounds {
             low: [0, 1, 2].map(|axis| self.low[axis].min(point[axis])),
             high: [0, 1, 2].map(|axis| self.high[axis].max(point[axis])),
         }
-    }
-
-    /// The longest edge.
-    fn longest(self) -> i64 {
-        [0, 1, 2]
-            .map(|axis| self.high[axis] - self.low[axis])
-            .into_iter()
-            .max()
-            .unwrap_or(0)
     }
 
     /// The gap between two boxes on each axis; 0 where they overlap.

@@ -14,17 +14,14 @@ const FORMATS: [&str; 2] = ["local7-rgb6d-n4096", "local6x2-rgb6d-n4096"];
 const BATCHES: [BatchOptions; 3] = [
     BatchOptions {
         queries: 1,
-        longest: None,
         facings: Facings::Engine,
     },
     BatchOptions {
         queries: 16,
-        longest: Some(1.0),
         facings: Facings::Chain,
     },
     BatchOptions {
         queries: 64,
-        longest: None,
         facings: Facings::Engine,
     },
 ];
@@ -123,12 +120,15 @@ fn every_photon_is_in_one_leaf_and_every_query_in_one_batch() {
         photons.sort_unstable();
         assert!(photons.into_iter().eq(0..map.records().len() as u32));
     }
+    let edge = REGION_BLOCKS << (map.numbers().format().unwrap().radius_bits() + 1);
     for options in BATCHES {
         let batches = Batches::new(&map, &queries, &options);
         let mut next = 0;
         for batch in &batches.batches {
             assert_eq!(batch.queries.start, next);
             assert!((1..=options.queries as usize).contains(&batch.queries.len()));
+            let region = |corner: [i64; 3]| corner.map(|place| place.div_euclid(edge));
+            assert_eq!(region(batch.bounds.low), region(batch.bounds.high));
             next = batch.queries.end;
         }
         assert_eq!(next, queries.len());
