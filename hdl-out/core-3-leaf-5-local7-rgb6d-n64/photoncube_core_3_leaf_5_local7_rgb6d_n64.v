@@ -810,15 +810,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     reg reading;
     reg [44:0] selected;
     initial reading = 1'b0;
-    // Whether the answer to a read was found in the clock before: whether there is the register, and its word in 4 parts of which all
-    // but one are 0. The way from all registers to the answer is too far for one clock.
-    reg found;
-    reg found_known;
-    reg [31:0] found_0;
-    reg [31:0] found_1;
-    reg [31:0] found_2;
-    reg [31:0] found_3;
-    initial found = 1'b0;
     // The high bits of the counter whose low word was read last.
     reg [47 - 32:0] counter_high;
     // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
@@ -876,17 +867,12 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial counter_high = {(47 - 31){1'b0}};
     initial reset = 1'b0;
     wire busy = |under_way;
-    // The next numbers of queries under way. Whether a query is given comes late, so it only chooses.
-    (* keep *) wire [15:0] one_more;
-    assign one_more = under_way + 16'd1;
-    (* keep *) wire [15:0] one_less;
-    assign one_less = under_way - 16'd1;
 
     // An access is taken where its answer has a place.
     wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
     assign s_axi_awready = writes;
     assign s_axi_wready = writes;
-    assign s_axi_arready = ~s_axi_rvalid & ~reading & ~found & aresetn;
+    assign s_axi_arready = ~s_axi_rvalid & ~reading & aresetn;
     wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
     wire [31:0] write_word = s_axi_wdata & write_mask;
     // The two low bits are not looked at: the strobes name the bytes.
@@ -903,6 +889,54 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             default: write_known = 1'b0;
         endcase
     end
+    // A read is answered in the clock behind the one in which it is taken: the way through all registers is too far for one clock.
+    wire read_known = |selected;
+    wire [31:0] read_word = 32'd0
+        | ({32{selected[0]}} & 32'h50435542)
+        | ({32{selected[1]}} & 32'h00000001)
+        | ({32{selected[2]}} & 32'h38ce968a)
+        | ({32{selected[3]}} & 32'h40d709dd)
+        | ({32{selected[4]}} & 32'h00080203)
+        | ({32{selected[5]}} & 32'd0)
+        | ({32{selected[6]}} & {28'd0, result_waits, query_waits, photon_waits, busy})
+        | ({32{selected[7]}} & {25'd0, events})
+        | ({32{selected[8]}} & {25'd0, interrupt_enable})
+        | ({32{selected[9]}} & stall_limit)
+        | ({32{selected[10]}} & {16'd0, under_way})
+        | ({32{selected[11]}} & counter_clocks[31:0])
+        | ({32{selected[12]}} & {16'd0, counter_high})
+        | ({32{selected[13]}} & counter_busy_clocks[31:0])
+        | ({32{selected[14]}} & {16'd0, counter_high})
+        | ({32{selected[15]}} & counter_leaves_read[31:0])
+        | ({32{selected[16]}} & {16'd0, counter_high})
+        | ({32{selected[17]}} & counter_queries_read[31:0])
+        | ({32{selected[18]}} & {16'd0, counter_high})
+        | ({32{selected[19]}} & counter_results[31:0])
+        | ({32{selected[20]}} & {16'd0, counter_high})
+        | ({32{selected[21]}} & counter_leaves_compared[31:0])
+        | ({32{selected[22]}} & {16'd0, counter_high})
+        | ({32{selected[23]}} & counter_leaves_wanted[31:0])
+        | ({32{selected[24]}} & {16'd0, counter_high})
+        | ({32{selected[25]}} & counter_groups_played[31:0])
+        | ({32{selected[26]}} & {16'd0, counter_high})
+        | ({32{selected[27]}} & counter_photons_in_range[31:0])
+        | ({32{selected[28]}} & {16'd0, counter_high})
+        | ({32{selected[29]}} & counter_photon_stalls[31:0])
+        | ({32{selected[30]}} & {16'd0, counter_high})
+        | ({32{selected[31]}} & counter_query_stalls[31:0])
+        | ({32{selected[32]}} & {16'd0, counter_high})
+        | ({32{selected[33]}} & counter_result_stalls[31:0])
+        | ({32{selected[34]}} & {16'd0, counter_high})
+        | ({32{selected[35]}} & counter_leaves_malformed[31:0])
+        | ({32{selected[36]}} & {16'd0, counter_high})
+        | ({32{selected[37]}} & counter_leaves_refused[31:0])
+        | ({32{selected[38]}} & {16'd0, counter_high})
+        | ({32{selected[39]}} & counter_queries_outside[31:0])
+        | ({32{selected[40]}} & {16'd0, counter_high})
+        | ({32{selected[41]}} & counter_queries_refused[31:0])
+        | ({32{selected[42]}} & {16'd0, counter_high})
+        | ({32{selected[43]}} & counter_accesses_refused[31:0])
+        | ({32{selected[44]}} & {16'd0, counter_high});
     wire reads_low = 1'b0
         | selected[11]
         | selected[13]
@@ -1013,62 +1047,11 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         selected[42] <= read_address == ADDRESS_QUERIES_REFUSED_HIGH;
         selected[43] <= read_address == ADDRESS_ACCESSES_REFUSED_LOW;
         selected[44] <= read_address == ADDRESS_ACCESSES_REFUSED_HIGH;
-        found <= reading & aresetn;
-        found_known <= |selected;
-        found_0 <= 32'd0
-            | ({32{selected[0]}} & 32'h50435542)
-            | ({32{selected[1]}} & 32'h00000001)
-            | ({32{selected[2]}} & 32'hda813618)
-            | ({32{selected[3]}} & 32'hf8ba33ff)
-            | ({32{selected[4]}} & 32'h00080203)
-            | ({32{selected[5]}} & 32'd0)
-            | ({32{selected[6]}} & {28'd0, result_waits, query_waits, photon_waits, busy})
-            | ({32{selected[7]}} & {25'd0, events})
-            | ({32{selected[8]}} & {25'd0, interrupt_enable})
-            | ({32{selected[9]}} & stall_limit)
-            | ({32{selected[10]}} & {16'd0, under_way})
-            | ({32{selected[11]}} & counter_clocks[31:0]);
-        found_1 <= 32'd0
-            | ({32{selected[12]}} & {16'd0, counter_high})
-            | ({32{selected[13]}} & counter_busy_clocks[31:0])
-            | ({32{selected[14]}} & {16'd0, counter_high})
-            | ({32{selected[15]}} & counter_leaves_read[31:0])
-            | ({32{selected[16]}} & {16'd0, counter_high})
-            | ({32{selected[17]}} & counter_queries_read[31:0])
-            | ({32{selected[18]}} & {16'd0, counter_high})
-            | ({32{selected[19]}} & counter_results[31:0])
-            | ({32{selected[20]}} & {16'd0, counter_high})
-            | ({32{selected[21]}} & counter_leaves_compared[31:0])
-            | ({32{selected[22]}} & {16'd0, counter_high})
-            | ({32{selected[23]}} & counter_leaves_wanted[31:0]);
-        found_2 <= 32'd0
-            | ({32{selected[24]}} & {16'd0, counter_high})
-            | ({32{selected[25]}} & counter_groups_played[31:0])
-            | ({32{selected[26]}} & {16'd0, counter_high})
-            | ({32{selected[27]}} & counter_photons_in_range[31:0])
-            | ({32{selected[28]}} & {16'd0, counter_high})
-            | ({32{selected[29]}} & counter_photon_stalls[31:0])
-            | ({32{selected[30]}} & {16'd0, counter_high})
-            | ({32{selected[31]}} & counter_query_stalls[31:0])
-            | ({32{selected[32]}} & {16'd0, counter_high})
-            | ({32{selected[33]}} & counter_result_stalls[31:0])
-            | ({32{selected[34]}} & {16'd0, counter_high})
-            | ({32{selected[35]}} & counter_leaves_malformed[31:0]);
-        found_3 <= 32'd0
-            | ({32{selected[36]}} & {16'd0, counter_high})
-            | ({32{selected[37]}} & counter_leaves_refused[31:0])
-            | ({32{selected[38]}} & {16'd0, counter_high})
-            | ({32{selected[39]}} & counter_queries_outside[31:0])
-            | ({32{selected[40]}} & {16'd0, counter_high})
-            | ({32{selected[41]}} & counter_queries_refused[31:0])
-            | ({32{selected[42]}} & {16'd0, counter_high})
-            | ({32{selected[43]}} & counter_accesses_refused[31:0])
-            | ({32{selected[44]}} & {16'd0, counter_high});
-        if (reading & reads_low) counter_high <= counter_high_next;
-        if (found) begin
+        if (reading) begin
             s_axi_rvalid <= 1'b1;
-            s_axi_rresp <= found_known ? OKAY : SLVERR;
-            s_axi_rdata <= found_0 | found_1 | found_2 | found_3;
+            s_axi_rresp <= read_known ? OKAY : SLVERR;
+            s_axi_rdata <= read_word;
+            if (reads_low) counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
         // A register, since the way to every chain is too far for the clock in which it is decided.
         reset <= ~aresetn | (writes_control & write_word[0]);
@@ -1077,8 +1060,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             interrupt_enable <= (interrupt_enable & ~write_mask[6:0]) | write_word[6:0];
         end
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
-        if (query_given & ~result_moves) under_way <= one_more;
-        if (result_moves & ~query_given) under_way <= one_less;
+        under_way <= under_way + query_given - result_moves;
         seen_silent <= silent;
         silent_clocks <= seen_silent ? silent_clocks + 32'd1 : 32'd0;
         if (reset | ~aresetn) begin
@@ -1087,7 +1069,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             silent_clocks <= 32'd0;
         end
         seen_write <= writes;
-        seen_read <= found & aresetn;
+        seen_read <= reading & aresetn;
         seen_busy <= busy;
         seen_leaf_given <= leaf_given;
         seen_query_given <= query_given;
@@ -1180,9 +1162,6 @@ endmodule
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_ready, out_word);
     parameter WIDTH = 2;
     parameter HEAD = 1;
-    // The bits that stay have four parts, each with flags of its own: one flag for all of them would have to reach too far.
-    localparam BODY = WIDTH - HEAD;
-    localparam PART = BODY >> 2;
     input wire clock;
     input wire reset;
     input wire in_valid;
@@ -1195,72 +1174,38 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, i
     reg second_full;
     reg [HEAD - 1:0] first_head;
     reg [HEAD - 1:0] second_head;
-    // The places of the next word to come and of the next to go.
-    reg comes_odd;
-    reg goes_odd;
+    reg writes_odd;
+    reg reads_odd;
+    reg [WIDTH - HEAD - 1:0] even_body;
+    reg [WIDTH - HEAD - 1:0] odd_body;
     initial first_full = 1'b0;
     initial second_full = 1'b0;
-    initial comes_odd = 1'b0;
-    initial goes_odd = 1'b0;
-    wire [HEAD - 1:0] in_head = in_word[WIDTH - 1:BODY];
+    initial writes_odd = 1'b0;
+    initial reads_odd = 1'b0;
+    wire [HEAD - 1:0] in_head = in_word[WIDTH - 1:WIDTH - HEAD];
     wire first_takes = ~first_full | out_ready;
-    wire comes = in_valid & in_ready;
-    wire second_full_next = ~reset & ~first_takes & (second_full | comes);
-    wire comes_odd_next = ~reset & (comes_odd ^ comes);
-    wire goes_odd_next = ~reset & (goes_odd ^ (out_valid & out_ready));
-    // The place that is written is free while a word can come.
-    wire even_next = ~second_full_next & ~comes_odd_next;
-    wire odd_next = ~second_full_next & comes_odd_next;
     assign in_ready = ~second_full;
     assign out_valid = first_full;
-    assign out_word[WIDTH - 1:BODY] = first_head;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(PART)) part_0(.clock(clock), .even_next(even_next), .odd_next(odd_next), .goes_odd_next(goes_odd_next),
-        .in_word(in_word[PART - 1:0]), .out_word(out_word[PART - 1:0]));
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(PART)) part_1(.clock(clock), .even_next(even_next), .odd_next(odd_next), .goes_odd_next(goes_odd_next),
-        .in_word(in_word[2 * PART - 1:PART]), .out_word(out_word[2 * PART - 1:PART]));
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(PART)) part_2(.clock(clock), .even_next(even_next), .odd_next(odd_next), .goes_odd_next(goes_odd_next),
-        .in_word(in_word[3 * PART - 1:2 * PART]), .out_word(out_word[3 * PART - 1:2 * PART]));
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(BODY - 3 * PART)) part_3(.clock(clock), .even_next(even_next), .odd_next(odd_next),
-        .goes_odd_next(goes_odd_next), .in_word(in_word[BODY - 1:3 * PART]), .out_word(out_word[BODY - 1:3 * PART]));
+    assign out_word = {first_head, reads_odd ? odd_body : even_body};
     always @(posedge clock) begin
-        first_full <= ~reset & (first_takes ? second_full | comes : 1'b1);
-        second_full <= second_full_next;
         if (first_takes) begin
+            first_full <= second_full | (in_valid & in_ready);
+            second_full <= 1'b0;
             if (second_full) first_head <= second_head;
             else first_head <= in_head;
-        end
+        end else if (in_valid & in_ready) second_full <= 1'b1;
         if (~second_full) second_head <= in_head;
-        comes_odd <= comes_odd_next;
-        goes_odd <= goes_odd_next;
-    end
-endmodule
-
-// A part of the words of a slice, with two places. Its flags stand beside it: `keep` on the statements keeps synthesis from merging them
-// with those of other parts.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part(clock, even_next, odd_next, goes_odd_next, in_word, out_word);
-    parameter WIDTH = 1;
-    input wire clock;
-    // In the next clock a word can come into the even place, into the odd one, and the odd one is given.
-    input wire even_next;
-    input wire odd_next;
-    input wire goes_odd_next;
-    input wire [WIDTH - 1:0] in_word;
-    output wire [WIDTH - 1:0] out_word;
-    reg [WIDTH - 1:0] even_word;
-    reg [WIDTH - 1:0] odd_word;
-    reg even;
-    reg odd;
-    reg goes_odd;
-    initial even = 1'b1;
-    initial odd = 1'b0;
-    initial goes_odd = 1'b0;
-    (* keep *) always @(posedge clock) even <= even_next;
-    (* keep *) always @(posedge clock) odd <= odd_next;
-    (* keep *) always @(posedge clock) goes_odd <= goes_odd_next;
-    assign out_word = goes_odd ? odd_word : even_word;
-    always @(posedge clock) begin
-        if (even) even_word <= in_word;
-        if (odd) odd_word <= in_word;
+        // The place that is written is free while a word can come.
+        if (in_ready & ~writes_odd) even_body <= in_word[WIDTH - HEAD - 1:0];
+        if (in_ready & writes_odd) odd_body <= in_word[WIDTH - HEAD - 1:0];
+        writes_odd <= writes_odd ^ (in_valid & in_ready);
+        reads_odd <= reads_odd ^ (out_valid & out_ready);
+        if (reset) begin
+            first_full <= 1'b0;
+            second_full <= 1'b0;
+            writes_odd <= 1'b0;
+            reads_odd <= 1'b0;
+        end
     end
 endmodule
 
@@ -1386,46 +1331,18 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_queue(clock, reset, in_valid, i
     output wire out_valid;
     input wire out_ready;
     output wire [WIDTH - 1:0] out_word;
-    // No word is read in the clock in which its place is written.
-    (* no_rw_check *) reg [WIDTH - 1:0] words [0:(1 << PLACE) - 1];
-    // The word that is given, which has left the memory: a register, so that a memory may be a block RAM and no path leads through it.
-    reg [WIDTH - 1:0] front;
-    reg has_front;
-    // The places of the next word to write, of the newest, and of the next to read; whether there is one.
-    reg [PLACE - 1:0] write;
-    reg [PLACE - 1:0] newest;
-    reg [PLACE - 1:0] read;
-    reg has_word;
-    initial has_front = 1'b0;
-    initial write = {PLACE{1'b0}};
-    initial newest = {PLACE{1'b0}};
-    initial read = {PLACE{1'b0}};
-    initial has_word = 1'b0;
-    wire reads = has_word & (~has_front | out_ready);
-    // From registers alone, since the ready comes late.
-    (* keep *) wire is_newest;
-    assign is_newest = read == newest;
-    assign out_valid = has_front;
-    assign out_word = front;
+    reg [WIDTH - 1:0] words [0:(1 << PLACE) - 1];
+    // The places of the next word to write and to give; one more bit says whether all are full where the places are the same.
+    reg [PLACE:0] write;
+    reg [PLACE:0] read;
+    initial write = {(PLACE + 1){1'b0}};
+    initial read = {(PLACE + 1){1'b0}};
+    assign out_valid = write != read;
+    assign out_word = words[read[PLACE - 1:0]];
     always @(posedge clock) begin
-        if (in_valid) begin
-            words[write] <= in_word;
-            newest <= write;
-            write <= write + 1'b1;
-        end
-        if (reads) begin
-            front <= words[read];
-            read <= read + 1'b1;
-        end
-        has_word <= in_valid | (has_word & ~(reads & is_newest));
-        has_front <= reads | (has_front & ~out_ready);
-        if (reset) begin
-            write <= {PLACE{1'b0}};
-            newest <= {PLACE{1'b0}};
-            read <= {PLACE{1'b0}};
-            has_word <= 1'b0;
-            has_front <= 1'b0;
-        end
+        if (in_valid) words[write[PLACE - 1:0]] <= in_word;
+        write <= reset ? {(PLACE + 1){1'b0}} : write + in_valid;
+        read <= reset ? {(PLACE + 1){1'b0}} : read + (out_valid & out_ready);
     end
 endmodule
 
@@ -3005,12 +2922,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
     reg [4:0] tag_read_d;
     wire [4:0] tag_read_q;
     reg tag_read_clock;
-    reg has_oldest_d;
-    wire has_oldest_q;
-    reg has_oldest_clock;
-    reg [18:0] oldest_d;
-    wire [18:0] oldest_q;
-    reg oldest_clock;
     reg tag_result_d;
     wire tag_result_q;
     reg tag_result_clock;
@@ -3027,8 +2938,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
     reg valid;
     reg ready;
     reg takes;
-    reg has_more;
-    reg loads;
     reg is_last;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_5 tag_write(
@@ -3040,16 +2949,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         .d(tag_read_d),
         .q(tag_read_q),
         .clock(tag_read_clock)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_register_1 has_oldest(
-        .d(has_oldest_d),
-        .q(has_oldest_q),
-        .clock(has_oldest_clock)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_register_19 oldest(
-        .d(oldest_d),
-        .q(oldest_q),
-        .clock(oldest_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_1 tag_result(
         .d(tag_result_d),
@@ -3068,13 +2967,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
     always @(*) begin
         tag_write_clock = clock;
         tag_read_clock = clock;
-        has_oldest_clock = clock;
-        oldest_clock = clock;
         tag_result_clock = clock;
         tag_write_d = tag_write_q;
         tag_read_d = tag_read_q;
-        has_oldest_d = has_oldest_q;
-        oldest_d = oldest_q;
         tag_result_d = tag_result_q;
         tag_ram_clock = clock;
         tag_in = ((query_tag) & 19'h7ffff) << 32'h1;
@@ -3086,7 +2981,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         tag_ram_write_place = tag_write_q;
         tag_ram_write_word = tag_in | kind_in;
         tag_ram_read_place = tag_read_q;
-        is_query = oldest_q[32'h0];
+        is_query = tag_ram_read_word[32'h0];
         valid = chain_valid & is_query;
         ready = result_ready | ~is_query;
         takes = chain_valid & ready;
@@ -3094,14 +2989,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         if (takes_token) begin
             tag_write_d = tag_write_q + 32'h1;
         end
-        has_more = tag_read_q != tag_write_q;
-        loads = has_more & (takes | ~has_oldest_q);
-        has_oldest_d = loads | (has_oldest_q & ~takes);
-        if (loads) begin
-            tag_read_d = tag_read_q + 32'h1;
-            oldest_d = tag_ram_read_word;
-        end
         if (takes) begin
+            tag_read_d = tag_read_q + 32'h1;
             tag_result_d = tag_result_q + 32'h1;
             if (is_last) begin
                 tag_result_d = 32'h0;
@@ -3110,14 +2999,13 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         if (reset) begin
             tag_write_d = 32'h0;
             tag_read_d = 32'h0;
-            has_oldest_d = 1'b0;
             tag_result_d = 32'h0;
         end
         chain_ready = ready;
         result_valid = valid;
         result_tag = 32'h0;
         if (valid) begin
-            result_tag = oldest_q[(32'h1)+:(18)];
+            result_tag = tag_ram_read_word[(32'h1)+:(18)];
         end
         batch_leaves = takes & is_last;
     end
@@ -7510,20 +7398,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_head(clock, reset, query_valid, query_
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_register_19(d, q, clock);
-    // Module arguments
-    input wire [18:0] d;
-    output reg [18:0] q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 19'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
-    end
-endmodule
-
 module photoncube_leaf_5_local7_rgb6d_n64_scan_high(clock, takes, d, q);
     // Module arguments
     input wire clock;
@@ -9829,25 +9703,48 @@ module photoncube_leaf_5_local7_rgb6d_n64_admission(clock, reset, query_valid, g
     // Update code (custom)
     reg [1:0] loaded = 2'd0;
     reg open = 1'd0;
+    reg has_batch = 1'd0;
+    reg [1:0] spacing = 2'd0;
+    reg waits = 1'd0;
+    reg gives_back = 1'd0;
+    reg [7:0] promised = 8'd0;
     wire full = loaded[1];
-    wire takes_first = group_valid & ~open;
-    wire takes_last = group_valid & group_last;
+    wire fills = query_valid & (&loaded[0:0]);
+    wire room = ~promised[7];
+    wire fits = ~waits & room;
+    wire admits_group = has_batch & (~group_last | fits);
+    wire takes_group = group_valid & admits_group;
+    wire takes_first = group_valid & full & ~open & (~group_last | fits);
+    wire takes_last = group_valid & has_batch & group_last & fits;
     wire admits_query = ~full | takes_first;
+    wire takes_query = query_valid & admits_query;
     always @(*) query_ready = admits_query;
-    always @(*) group_ready = 1'd1;
-    always @(*) taken = group_valid;
+    always @(*) group_ready = admits_group;
+    always @(*) taken = takes_group;
     always @(*) first_taken = takes_first;
     always @(*) last_taken = takes_last;
-    always @(*) token_valid = query_valid & admits_query & ~reset;
+    always @(*) token_valid = takes_query & ~reset;
     always @(*) is_full = full;
-    always @(*) has_room = 1'd1;
-    always @(*) clocks_to_last = 16'd0;
+    always @(*) has_room = room;
+    always @(*) clocks_to_last = {14'd0, spacing};
     always @(posedge clock) begin
       loaded <= takes_first ? {1'd0, query_valid} : loaded + {1'd0, query_valid & ~full};
-      if (group_valid) open <= ~group_last;
+      open <= (takes_group & ~group_last) | (open & ~takes_last);
+      has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
+      if (takes_last) spacing <= 2'd2;
+      else if (waits) spacing <= spacing - 2'd1;
+      waits <= takes_last | (|spacing[1:1]);
+      gives_back <= batch_read;
+      if (takes_last != gives_back)
+        promised <= takes_last ? {promised[6:0], 1'd1} : {1'd0, promised[7:1]};
       if (reset) begin
         loaded <= 2'd0;
         open <= 1'd0;
+        has_batch <= 1'd0;
+        spacing <= 2'd0;
+        waits <= 1'd0;
+        gives_back <= 1'd0;
+        promised <= 8'd0;
       end
     end
 endmodule

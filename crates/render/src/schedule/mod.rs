@@ -1,8 +1,8 @@
 //! The schedule of a chip with several chains of engines: which photons each chain is given for which queries.
 //!
-//! Photons are stored in *leaves*, a few photons of one facing that are close to each other, in groups of four with a box around
-//! each. The queries of a picture are put into *batches*, one query for each engine of a chain. A batch is tested against
-//! the groups whose box is within the search radius of the box around its queries; the others are skipped unread, since
+//! Photons are stored in *leaves*, a few photons of one facing that are close to each other, each with the box around
+//! them. The queries of a picture are put into *batches*, one query for each engine of a chain. A batch is tested against
+//! the leaves whose box is within the search radius of the box around its queries; the others are skipped unread, since
 //! none of their photons can be in range. [`Leaves`] and [`Batches`] make both from a photon map in the integers of a
 //! photon format, and [`cost`] counts the photon tests and the clocks.
 //!
