@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use photoncube_render::{
-    Batch, BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, REGION_BLOCKS, close_together,
+    Batch, BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together,
 };
 use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query, QueryRounds};
 
@@ -123,7 +123,8 @@ impl<'a> FramePlan<'a> {
     fn list_frames(&self) -> Vec<Frame> {
         let mut frames: Vec<Frame> = Vec::new();
         for (index, batch) in self.batches.batches.iter().enumerate() {
-            let origin = self.origin(batch.queries.start);
+            // A query gathers from the blocks around its own.
+            let origin = batch.region.map(|block| block - 1);
             match frames.last_mut().filter(|frame| frame.origin == origin) {
                 Some(frame) => frame.batches.end = index + 1,
                 None => frames.push(Frame {
@@ -133,15 +134,6 @@ impl<'a> FramePlan<'a> {
             }
         }
         frames
-    }
-
-    /// The lowest block of a query's frame.
-    fn origin(&self, query: usize) -> [i64; 3] {
-        let position = self.batches.queries[query].position;
-        let (block, _) = self.map.map().place(position);
-        block
-            .to_array()
-            .map(|block| block.div_euclid(REGION_BLOCKS) * REGION_BLOCKS - 1)
     }
 
     /// The sets of a frame, each with its batches; none where no batch wants a photon.

@@ -96,8 +96,7 @@ pub use render::{
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
 pub use schedule::{
-    Batch, BatchOptions, Batches, Bounds, Cost, Cull, Facings, Leaf, Leaves, REGION_BLOCKS,
-    close_together, cost,
+    Batch, BatchOptions, Batches, Bounds, Cost, Cull, Facings, Leaf, Leaves, close_together, cost,
 };
 pub use trace::{
     BATCH_PATHS, Facing, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions,

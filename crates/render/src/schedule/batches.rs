@@ -50,6 +50,9 @@ impl Facings {
 pub struct Batch {
     /// The box around the middles of the queries' cells.
     pub bounds: Bounds,
+    /// The lowest block of the region of [`Batches`] that the queries are in. A frame that begins a block below it on each axis holds all
+    /// blocks that they gather from.
+    pub region: [i64; 3],
     /// The queries, by their indices in the order of [`Batches::queries`].
     pub queries: std::ops::Range<usize>,
     /// The set of facings that they gather, by its index in [`Batches::facing_sets`]; 0 with [`Facings::Engine`], where they may
@@ -75,16 +78,36 @@ pub struct Batches {
 
 /// The edge of a *region* in blocks. The queries of a batch are in one region. A frame holds a region and a block on each side of it,
 /// since a query gathers photons of the blocks around its own.
-pub const REGION_BLOCKS: i64 = Numbers::FRAME_BLOCKS as i64 - 2;
+pub(super) const REGION_BLOCKS: i64 = Numbers::FRAME_BLOCKS as i64 - 2;
 
 /// What decides in which batch a query is.
 struct Place {
     /// The middle of the query's cell, in half fine steps from the grid's origin.
     middle: [i64; 3],
-    /// The region's place on a Morton curve through the scene.
-    region: u64,
+    /// The lowest block of its region.
+    region: [i64; 3],
     /// The query's facing; with [`Facings::Chain`] its set of facings.
     facing: usize,
+}
+
+impl Place {
+    fn of(
+        map: &QuantisedMap<'_>,
+        format: &PhotonFormat,
+        query: &QueryPoint,
+        facing: usize,
+    ) -> Self {
+        let (block, fraction) = map.map().place(query.position);
+        let block = block.to_array();
+        let cell = map.query_at(fraction, 0).position;
+        // A query is in the second block of its frame.
+        let base = block.map(|block| (block - 1) << format.radius_bits());
+        Self {
+            middle: [0, 1, 2].map(|axis| 2 * (base[axis] + i64::from(cell[axis])) + 1),
+            region: block.map(|block| block.div_euclid(REGION_BLOCKS) * REGION_BLOCKS),
+            facing,
+        }
+    }
 }
 
 impl Batches {
@@ -98,21 +121,21 @@ impl Batches {
         let size = options.queries as usize;
         let format = map.numbers().format().expect("the map has a photon format");
         let mut facings = FacingSets::default();
-        let mut place = |query: &QueryPoint| Place {
-            middle: middle(map, format, query),
-            region: region(map, query),
-            facing: match options.facings {
+        let mut place = |query: &QueryPoint| {
+            let facing = match options.facings {
                 Facings::Engine => Facing::of(query.normal).index(),
                 Facings::Chain => facings.number(map.map(), &query.front()),
-            },
+            };
+            Place::of(map, format, query, facing)
         };
         let places: Vec<_> = queries.iter().map(&mut place).collect();
         let key = |query: u32| {
             let place = &places[query as usize];
-            (place.region, place.facing)
+            let along_curve = morton(place.region.map(|block| (block / REGION_BLOCKS) as u64));
+            (along_curve, place.facing)
         };
         let mut order: Vec<_> = (0..queries.len() as u32).collect();
-        order.sort_by_key(|&query| key(query));
+        order.sort_by_cached_key(|&query| key(query));
         let mut batches: Vec<Batch> = Vec::new();
         for equal in order.chunk_by_mut(|&query, &next| key(query) == key(next)) {
             close_together(equal, size, &|query| places[query as usize].middle);
@@ -121,6 +144,7 @@ impl Batches {
                 let start = batches.last().map_or(0, |batch| batch.queries.end);
                 batches.push(Batch {
                     bounds: Bounds::around(middles).expect("a chunk is not empty"),
+                    region: places[chunk[0] as usize].region,
                     queries: start..start + chunk.len(),
                     facings: match options.facings {
                         Facings::Engine => 0,
@@ -164,19 +188,4 @@ impl FacingSets {
         }
         sets
     }
-}
-
-fn region(map: &QuantisedMap<'_>, query: &QueryPoint) -> u64 {
-    let (block, _) = map.map().place(query.position);
-    let region = block.to_array();
-    morton(region.map(|block| block.div_euclid(REGION_BLOCKS) as u64))
-}
-
-fn middle(map: &QuantisedMap<'_>, format: &PhotonFormat, query: &QueryPoint) -> [i64; 3] {
-    let (block, fraction) = map.map().place(query.position);
-    let bits = format.radius_bits();
-    let cell = map.query_at(fraction, 0).position;
-    // A query is in the second block of its frame.
-    let base = block.to_array().map(|block| (block - 1) << bits);
-    [0, 1, 2].map(|axis| 2 * (base[axis] + i64::from(cell[axis])) + 1)
 }

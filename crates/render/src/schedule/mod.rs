@@ -11,11 +11,13 @@
 
 mod batches;
 mod cost;
+mod kd_split;
 mod leaves;
 
-pub use batches::{Batch, BatchOptions, Batches, Facings, REGION_BLOCKS};
+pub use batches::{Batch, BatchOptions, Batches, Facings};
 pub use cost::{Cost, cost};
-pub use leaves::{Leaf, Leaves, close_together};
+pub use kd_split::close_together;
+pub use leaves::{Leaf, Leaves};
 
 #[cfg(test)]
 mod tests;

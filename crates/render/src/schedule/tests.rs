@@ -2,6 +2,7 @@ use std::collections::HashSet;
 
 use photoncube_spec::{Numbers, find_photon_format};
 
+use super::batches::REGION_BLOCKS;
 use super::*;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
@@ -120,20 +121,51 @@ fn every_photon_is_in_one_leaf_and_every_query_in_one_batch() {
         photons.sort_unstable();
         assert!(photons.into_iter().eq(0..map.records().len() as u32));
     }
-    let edge = REGION_BLOCKS << (map.numbers().format().unwrap().radius_bits() + 1);
+    let block_bits = map.numbers().format().unwrap().radius_bits() + 1;
     for options in BATCHES {
         let batches = Batches::new(&map, &queries, &options);
         let mut next = 0;
         for batch in &batches.batches {
             assert_eq!(batch.queries.start, next);
             assert!((1..=options.queries as usize).contains(&batch.queries.len()));
-            let region = |corner: [i64; 3]| corner.map(|place| place.div_euclid(edge));
-            assert_eq!(region(batch.bounds.low), region(batch.bounds.high));
+            for corner in [batch.bounds.low, batch.bounds.high] {
+                let blocks =
+                    [0, 1, 2].map(|axis| (corner[axis] >> block_bits) - batch.region[axis]);
+                assert!(
+                    blocks
+                        .iter()
+                        .all(|block| (0..REGION_BLOCKS).contains(block))
+                );
+            }
             next = batch.queries.end;
         }
         assert_eq!(next, queries.len());
         assert_eq!(batches.queries.len(), queries.len());
     }
+}
+
+/// With [`Facings::Engine`] a batch does not tell the facing of its queries.
+#[test]
+fn of_the_batches_of_a_facing_in_a_region_only_the_last_is_not_full() {
+    let (map, queries) = traced();
+    let map = quantised(&map, FORMATS[0]);
+    let options = BatchOptions {
+        queries: 4,
+        facings: Facings::Chain,
+    };
+    let batches = Batches::new(&map, &queries, &options).batches;
+    let mut together = 0;
+    for pair in batches.windows(2) {
+        if (pair[0].region, pair[0].facings) == (pair[1].region, pair[1].facings) {
+            assert_eq!(pair[0].queries.len(), 4);
+            together += 1;
+        }
+    }
+    assert!(together > 0);
+    let mut kinds: Vec<_> = batches.iter().map(|of| (of.region, of.facings)).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    assert_eq!(batches.len() - together, kinds.len());
 }
 
 #[test]
