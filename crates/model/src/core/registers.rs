@@ -67,6 +67,8 @@ pub(super) struct Registers {
     read_answer: Option<LiteAnswer>,
     /// The read that was taken in the clock before: its register, if there is one at its address.
     reading: Option<Option<CoreRegisterRow>>,
+    /// The answer that was found in the clock before.
+    found: Option<LiteAnswer>,
     /// The next clock is a reset of streams and chains.
     pub(super) reset: bool,
     events: u32,
@@ -107,6 +109,7 @@ impl Registers {
             write_answer: None,
             read_answer: None,
             reading: None,
+            found: None,
             reset: false,
             events: 0,
             interrupt_enable: 0,
@@ -152,7 +155,7 @@ impl Registers {
 
     /// A read is taken if there is one.
     pub(super) fn is_ready_to_read(&self) -> bool {
-        self.read_answer.is_none() && self.reading.is_none()
+        self.read_answer.is_none() && self.reading.is_none() && self.found.is_none()
     }
 
     /// A write is taken.
@@ -213,8 +216,10 @@ impl Registers {
         let reads = lite.read_address_valid && self.is_ready_to_read();
         let taken = reads.then(|| self.at(lite.read_address).cloned());
         let read = std::mem::replace(&mut self.reading, taken);
+        let found = read.map(|row| self.find(row, happens));
+        let found = std::mem::replace(&mut self.found, found);
         let write_refused = write.is_some_and(|write| write.register.is_none());
-        let read_refused = matches!(read, Some(None));
+        let read_refused = found.is_some_and(|answer| answer.refused);
         let refused = u64::from(write_refused) + u64::from(read_refused);
         let stalls = self.stalls(happens);
         let seen = Seen {
@@ -223,7 +228,7 @@ impl Registers {
             refused,
             events: self.occurs(happens, refused > 0, stalls),
         };
-        self.answer_read(lite, read, happens);
+        self.answer_read(lite, found);
         let before = std::mem::replace(&mut self.before, seen);
         self.count(&before);
         self.answer_write(lite, write);
@@ -280,24 +285,23 @@ impl Registers {
         occurring.map(|(event, _)| event.bit()).sum()
     }
 
-    fn answer_read(
-        &mut self,
-        lite: &LiteIn,
-        read: Option<Option<CoreRegisterRow>>,
-        happens: &Happens,
-    ) {
-        let Some(row) = read else {
-            if lite.read_answer_ready {
-                self.read_answer = None;
-            }
-            return;
-        };
-        self.read_answer = Some(LiteAnswer {
+    /// The answer to a read of a register, as the registers are in this clock.
+    fn find(&mut self, row: Option<CoreRegisterRow>, happens: &Happens) -> LiteAnswer {
+        let answer = LiteAnswer {
             refused: row.is_none(),
             word: row.as_ref().map_or(0, |row| self.word(row, happens)),
-        });
+        };
         if let Some(CoreRegister::CounterLow(counter)) = row.map(|row| row.register) {
             self.counter_high = (self.counters[counter as usize] >> 32) as u32;
+        }
+        answer
+    }
+
+    fn answer_read(&mut self, lite: &LiteIn, found: Option<LiteAnswer>) {
+        match found {
+            Some(_) => self.read_answer = found,
+            None if lite.read_answer_ready => self.read_answer = None,
+            None => {}
         }
     }
 
