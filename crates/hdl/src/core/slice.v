@@ -1,7 +1,8 @@
 // A slice of a stream. It has two places, so that no ready passes through it. A word stays in its place until it goes, and only its
 // HEAD highest bits move to the first place.
 module @TOP@_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_ready, out_word);
-    parameter WIDTH = 2;
+    // At least four bits stay.
+    parameter WIDTH = 5;
     parameter HEAD = 1;
     // The bits that stay have four parts, each with flags of its own: one flag for all of them would have to reach too far.
     localparam BODY = WIDTH - HEAD;

@@ -175,26 +175,29 @@ impl Logic for Admission {
 }
 
 impl Admission {
-    /// The Verilog where every group is taken.
+    /// The Verilog where every group is taken. A block of `always @(*)` that reads no signal never runs in a simulator, so the outputs that are
+    /// constant come from the register `one`, which synthesis removes.
     fn paced_text(&self) -> String {
         let bits = self._sizes.loaded_bits;
         format!(
             "reg [{l}:0] loaded = {bits}'d0;\n\
              reg open = 1'd0;\n\
+             reg one = 1'd1;\n\
              wire full = loaded[{l}];\n\
              wire takes_first = group_valid & ~open;\n\
              wire takes_last = group_valid & group_last;\n\
              wire admits_query = ~full | takes_first;\n\
              always @(*) query_ready = admits_query;\n\
-             always @(*) group_ready = 1'd1;\n\
+             always @(*) group_ready = one;\n\
              always @(*) taken = group_valid;\n\
              always @(*) first_taken = takes_first;\n\
              always @(*) last_taken = takes_last;\n\
              always @(*) token_valid = query_valid & admits_query & ~reset;\n\
              always @(*) is_full = full;\n\
-             always @(*) has_room = 1'd1;\n\
-             always @(*) clocks_to_last = 16'd0;\n\
+             always @(*) has_room = one;\n\
+             always @(*) clocks_to_last = {{16{{~one}}}};\n\
              always @(posedge clock) begin\n\
+             \x20 one <= 1'd1;\n\
              \x20 loaded <= {loaded};\n\
              \x20 if (group_valid) open <= ~group_last;\n\
              \x20 if (reset) begin\n\
