@@ -55,6 +55,9 @@ module @TOP@_registers(clock, aresetn, reset,
     reg [@EVENT_HIGH@:0] interrupt_enable;
     reg [31:0] stall_limit;
     reg [@UNDER_WAY_HIGH@:0] under_way;
+    // Whether a query was given and a last result left in the clock before: the ways to the number of queries under way are too far for one clock.
+    reg query_came;
+    reg result_went;
     // Whether the clock before was silent, and the number of silent clocks up to the one before that.
     reg seen_silent;
     reg [31:0] silent_clocks;
@@ -83,12 +86,14 @@ module @TOP@_registers(clock, aresetn, reset,
     initial interrupt_enable = {(@EVENT_HIGH@ + 1){1'b0}};
     initial stall_limit = @STALL_LIMIT@;
     initial under_way = @UNDER_WAY_BITS@'d0;
+    initial query_came = 1'b0;
+    initial result_went = 1'b0;
     initial seen_silent = 1'b0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
     initial reset = 1'b0;
     wire busy = |under_way;
-    // The next numbers of queries under way. Whether a query is given comes late, so it only chooses.
+    // The next numbers of queries under way.
     (* keep *) wire [@UNDER_WAY_HIGH@:0] one_more;
     assign one_more = under_way + @UNDER_WAY_BITS@'d1;
     (* keep *) wire [@UNDER_WAY_HIGH@:0] one_less;
@@ -125,7 +130,7 @@ module @TOP@_registers(clock, aresetn, reset,
     wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
     wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
-    wire ends = @LAST_RESULT@ & ~query_given & (under_way == @UNDER_WAY_BITS@'d1);
+    wire ends = result_went & ~query_came & (under_way == @UNDER_WAY_BITS@'d1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits@NOT_PLAYED@;
     wire stalls = (|stall_limit) & (silent_clocks == stall_limit);
     wire [@EVENT_HIGH@:0] occurred;
@@ -156,12 +161,16 @@ module @TOP@_registers(clock, aresetn, reset,
             interrupt_enable <= (interrupt_enable & ~write_mask[@EVENT_HIGH@:0]) | write_word[@EVENT_HIGH@:0];
         end
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;@ROUND_WRITES@
-        if (query_given & ~@LAST_RESULT@) under_way <= one_more;
-        if (@LAST_RESULT@ & ~query_given) under_way <= one_less;
+        query_came <= query_given;
+        result_went <= @LAST_RESULT@;
+        if (query_came & ~result_went) under_way <= one_more;
+        if (result_went & ~query_came) under_way <= one_less;
         seen_silent <= silent;
         silent_clocks <= seen_silent ? silent_clocks + 32'd1 : 32'd0;
         if (reset | ~aresetn) begin
             under_way <= @UNDER_WAY_BITS@'d0;
+            query_came <= 1'b0;
+            result_went <= 1'b0;
             seen_silent <= 1'b0;
             silent_clocks <= 32'd0;
         end

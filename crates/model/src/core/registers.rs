@@ -76,6 +76,10 @@ pub(super) struct Registers {
     stall_limit: u32,
     pub(super) settings: Settings,
     under_way: u32,
+    /// Whether a query was given in the clock before.
+    query_came: bool,
+    /// Whether the last result of a query left in the clock before.
+    result_went: bool,
     /// Whether the clock before was silent.
     seen_silent: bool,
     /// Silent clocks up to the one before that.
@@ -116,6 +120,8 @@ impl Registers {
             stall_limit: limit.map_or(0, |row| row.reset),
             settings: Settings::default(),
             under_way: 0,
+            query_came: false,
+            result_went: false,
             seen_silent: false,
             silent_clocks: 0,
             counter_high: 0,
@@ -233,8 +239,11 @@ impl Registers {
         self.count(&before);
         self.answer_write(lite, write);
         self.events |= before.events;
-        self.under_way += u32::from(happens.query_given);
-        self.under_way -= u32::from(happens.result_ends);
+        self.under_way += u32::from(std::mem::replace(&mut self.query_came, happens.query_given));
+        self.under_way -= u32::from(std::mem::replace(
+            &mut self.result_went,
+            happens.result_ends,
+        ));
         if let Some(write) = write
             && write.register == Some(CoreRegister::Control)
             && write.word & CoreRegister::CLEAR_COUNTERS != 0
@@ -243,6 +252,8 @@ impl Registers {
         }
         if resets {
             self.under_way = 0;
+            self.query_came = false;
+            self.result_went = false;
             self.seen_silent = false;
             self.silent_clocks = 0;
         }
@@ -271,7 +282,7 @@ impl Registers {
     }
 
     fn occurs(&self, happens: &Happens, refused: bool, stalls: bool) -> u32 {
-        let ends = happens.result_ends && self.under_way == 1 && !happens.query_given;
+        let ends = self.result_went && self.under_way == 1 && !self.query_came;
         let events = [
             (CoreEvent::Done, ends),
             (CoreEvent::LeafMalformed, happens.leaf_malformed),

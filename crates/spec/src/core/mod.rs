@@ -64,7 +64,8 @@
 //!   The slice of chain 0 gives its results to that of the stream.
 //! - *Reads.* A read is taken where no other waits for its answer. In the next clock its answer is found, from the registers as they are then,
 //!   and the high word of a counter is held. In the clock behind that it is answered, and sets events and counts.
-//! - *Under way* are the queries that were given and whose results, each its last, have not left through `m_axis_results`.
+//! - *Under way* are the queries that were given and whose results, each its last, have not left through `m_axis_results`. Both are counted a
+//!   clock late, and so is that none is left. A restart forgets what happened in the clock before.
 //! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
 //!   clock. Only [`CoreCounter::Clocks`] counts at once, and what the chains do - leaves compared and wanted, groups played - is two clocks
 //!   late, and not counted where that clock or the next is one of `reset`. The ways to the counters are long, and so are no part of the
