@@ -48,7 +48,6 @@ const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Mac
             cuts: DIGITS,
             others: &[],
             memory_groups: 0,
-            paced: false,
         }),
     }
 }
@@ -201,7 +200,6 @@ pub const MACHINES: &[Machine] = &[
             cuts: FINE,
             others: &[],
             memory_groups: 0,
-            paced: false,
         }),
     },
     Machine {

@@ -59,9 +59,8 @@ const NO_LOOPS: &str = "\
 ";
 
 /// The modules that do not depend on the core but by parameters.
-const COMMON: [&str; 9] = [
+const COMMON: [&str; 8] = [
     include_str!("slice.v"),
-    include_str!("slice_part.v"),
     include_str!("place.v"),
     include_str!("link.v"),
     include_str!("stage.v"),

@@ -165,7 +165,6 @@ fn built() -> impl Strategy<Value = Machine> {
                     // machines are.
                     others: others.leak(),
                     memory_groups: 0,
-                    paced: false,
                 };
                 with_spatial(&machine, spatial)
             },
