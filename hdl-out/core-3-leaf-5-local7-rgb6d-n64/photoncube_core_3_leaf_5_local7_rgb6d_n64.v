@@ -810,6 +810,15 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     reg reading;
     reg [44:0] selected;
     initial reading = 1'b0;
+    // Whether the answer to a read was found in the clock before: whether there is the register, and its word in 4 parts of which all
+    // but one are 0. The way from all registers to the answer is too far for one clock.
+    reg found;
+    reg found_known;
+    reg [31:0] found_0;
+    reg [31:0] found_1;
+    reg [31:0] found_2;
+    reg [31:0] found_3;
+    initial found = 1'b0;
     // The high bits of the counter whose low word was read last.
     reg [47 - 32:0] counter_high;
     // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
@@ -867,12 +876,17 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial counter_high = {(47 - 31){1'b0}};
     initial reset = 1'b0;
     wire busy = |under_way;
+    // The next numbers of queries under way. Whether a query is given comes late, so it only chooses.
+    (* keep *) wire [15:0] one_more;
+    assign one_more = under_way + 16'd1;
+    (* keep *) wire [15:0] one_less;
+    assign one_less = under_way - 16'd1;
 
     // An access is taken where its answer has a place.
     wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
     assign s_axi_awready = writes;
     assign s_axi_wready = writes;
-    assign s_axi_arready = ~s_axi_rvalid & ~reading & aresetn;
+    assign s_axi_arready = ~s_axi_rvalid & ~reading & ~found & aresetn;
     wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
     wire [31:0] write_word = s_axi_wdata & write_mask;
     // The two low bits are not looked at: the strobes name the bytes.
@@ -889,54 +903,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             default: write_known = 1'b0;
         endcase
     end
-    // A read is answered in the clock behind the one in which it is taken: the way through all registers is too far for one clock.
-    wire read_known = |selected;
-    wire [31:0] read_word = 32'd0
-        | ({32{selected[0]}} & 32'h50435542)
-        | ({32{selected[1]}} & 32'h00000001)
-        | ({32{selected[2]}} & 32'h38ce968a)
-        | ({32{selected[3]}} & 32'h40d709dd)
-        | ({32{selected[4]}} & 32'h00080203)
-        | ({32{selected[5]}} & 32'd0)
-        | ({32{selected[6]}} & {28'd0, result_waits, query_waits, photon_waits, busy})
-        | ({32{selected[7]}} & {25'd0, events})
-        | ({32{selected[8]}} & {25'd0, interrupt_enable})
-        | ({32{selected[9]}} & stall_limit)
-        | ({32{selected[10]}} & {16'd0, under_way})
-        | ({32{selected[11]}} & counter_clocks[31:0])
-        | ({32{selected[12]}} & {16'd0, counter_high})
-        | ({32{selected[13]}} & counter_busy_clocks[31:0])
-        | ({32{selected[14]}} & {16'd0, counter_high})
-        | ({32{selected[15]}} & counter_leaves_read[31:0])
-        | ({32{selected[16]}} & {16'd0, counter_high})
-        | ({32{selected[17]}} & counter_queries_read[31:0])
-        | ({32{selected[18]}} & {16'd0, counter_high})
-        | ({32{selected[19]}} & counter_results[31:0])
-        | ({32{selected[20]}} & {16'd0, counter_high})
-        | ({32{selected[21]}} & counter_leaves_compared[31:0])
-        | ({32{selected[22]}} & {16'd0, counter_high})
-        | ({32{selected[23]}} & counter_leaves_wanted[31:0])
-        | ({32{selected[24]}} & {16'd0, counter_high})
-        | ({32{selected[25]}} & counter_groups_played[31:0])
-        | ({32{selected[26]}} & {16'd0, counter_high})
-        | ({32{selected[27]}} & counter_photons_in_range[31:0])
-        | ({32{selected[28]}} & {16'd0, counter_high})
-        | ({32{selected[29]}} & counter_photon_stalls[31:0])
-        | ({32{selected[30]}} & {16'd0, counter_high})
-        | ({32{selected[31]}} & counter_query_stalls[31:0])
-        | ({32{selected[32]}} & {16'd0, counter_high})
-        | ({32{selected[33]}} & counter_result_stalls[31:0])
-        | ({32{selected[34]}} & {16'd0, counter_high})
-        | ({32{selected[35]}} & counter_leaves_malformed[31:0])
-        | ({32{selected[36]}} & {16'd0, counter_high})
-        | ({32{selected[37]}} & counter_leaves_refused[31:0])
-        | ({32{selected[38]}} & {16'd0, counter_high})
-        | ({32{selected[39]}} & counter_queries_outside[31:0])
-        | ({32{selected[40]}} & {16'd0, counter_high})
-        | ({32{selected[41]}} & counter_queries_refused[31:0])
-        | ({32{selected[42]}} & {16'd0, counter_high})
-        | ({32{selected[43]}} & counter_accesses_refused[31:0])
-        | ({32{selected[44]}} & {16'd0, counter_high});
     wire reads_low = 1'b0
         | selected[11]
         | selected[13]
@@ -1047,11 +1013,62 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         selected[42] <= read_address == ADDRESS_QUERIES_REFUSED_HIGH;
         selected[43] <= read_address == ADDRESS_ACCESSES_REFUSED_LOW;
         selected[44] <= read_address == ADDRESS_ACCESSES_REFUSED_HIGH;
-        if (reading) begin
+        found <= reading & aresetn;
+        found_known <= |selected;
+        found_0 <= 32'd0
+            | ({32{selected[0]}} & 32'h50435542)
+            | ({32{selected[1]}} & 32'h00000001)
+            | ({32{selected[2]}} & 32'h414b97e1)
+            | ({32{selected[3]}} & 32'hab1724a9)
+            | ({32{selected[4]}} & 32'h00080203)
+            | ({32{selected[5]}} & 32'd0)
+            | ({32{selected[6]}} & {28'd0, result_waits, query_waits, photon_waits, busy})
+            | ({32{selected[7]}} & {25'd0, events})
+            | ({32{selected[8]}} & {25'd0, interrupt_enable})
+            | ({32{selected[9]}} & stall_limit)
+            | ({32{selected[10]}} & {16'd0, under_way})
+            | ({32{selected[11]}} & counter_clocks[31:0]);
+        found_1 <= 32'd0
+            | ({32{selected[12]}} & {16'd0, counter_high})
+            | ({32{selected[13]}} & counter_busy_clocks[31:0])
+            | ({32{selected[14]}} & {16'd0, counter_high})
+            | ({32{selected[15]}} & counter_leaves_read[31:0])
+            | ({32{selected[16]}} & {16'd0, counter_high})
+            | ({32{selected[17]}} & counter_queries_read[31:0])
+            | ({32{selected[18]}} & {16'd0, counter_high})
+            | ({32{selected[19]}} & counter_results[31:0])
+            | ({32{selected[20]}} & {16'd0, counter_high})
+            | ({32{selected[21]}} & counter_leaves_compared[31:0])
+            | ({32{selected[22]}} & {16'd0, counter_high})
+            | ({32{selected[23]}} & counter_leaves_wanted[31:0]);
+        found_2 <= 32'd0
+            | ({32{selected[24]}} & {16'd0, counter_high})
+            | ({32{selected[25]}} & counter_groups_played[31:0])
+            | ({32{selected[26]}} & {16'd0, counter_high})
+            | ({32{selected[27]}} & counter_photons_in_range[31:0])
+            | ({32{selected[28]}} & {16'd0, counter_high})
+            | ({32{selected[29]}} & counter_photon_stalls[31:0])
+            | ({32{selected[30]}} & {16'd0, counter_high})
+            | ({32{selected[31]}} & counter_query_stalls[31:0])
+            | ({32{selected[32]}} & {16'd0, counter_high})
+            | ({32{selected[33]}} & counter_result_stalls[31:0])
+            | ({32{selected[34]}} & {16'd0, counter_high})
+            | ({32{selected[35]}} & counter_leaves_malformed[31:0]);
+        found_3 <= 32'd0
+            | ({32{selected[36]}} & {16'd0, counter_high})
+            | ({32{selected[37]}} & counter_leaves_refused[31:0])
+            | ({32{selected[38]}} & {16'd0, counter_high})
+            | ({32{selected[39]}} & counter_queries_outside[31:0])
+            | ({32{selected[40]}} & {16'd0, counter_high})
+            | ({32{selected[41]}} & counter_queries_refused[31:0])
+            | ({32{selected[42]}} & {16'd0, counter_high})
+            | ({32{selected[43]}} & counter_accesses_refused[31:0])
+            | ({32{selected[44]}} & {16'd0, counter_high});
+        if (reading & reads_low) counter_high <= counter_high_next;
+        if (found) begin
             s_axi_rvalid <= 1'b1;
-            s_axi_rresp <= read_known ? OKAY : SLVERR;
-            s_axi_rdata <= read_word;
-            if (reads_low) counter_high <= counter_high_next;
+            s_axi_rresp <= found_known ? OKAY : SLVERR;
+            s_axi_rdata <= found_0 | found_1 | found_2 | found_3;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
         // A register, since the way to every chain is too far for the clock in which it is decided.
         reset <= ~aresetn | (writes_control & write_word[0]);
@@ -1060,7 +1077,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             interrupt_enable <= (interrupt_enable & ~write_mask[6:0]) | write_word[6:0];
         end
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
-        under_way <= under_way + query_given - result_moves;
+        if (query_given & ~result_moves) under_way <= one_more;
+        if (result_moves & ~query_given) under_way <= one_less;
         seen_silent <= silent;
         silent_clocks <= seen_silent ? silent_clocks + 32'd1 : 32'd0;
         if (reset | ~aresetn) begin
@@ -1069,7 +1087,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             silent_clocks <= 32'd0;
         end
         seen_write <= writes;
-        seen_read <= reading & aresetn;
+        seen_read <= found & aresetn;
         seen_busy <= busy;
         seen_leaf_given <= leaf_given;
         seen_query_given <= query_given;
@@ -1162,6 +1180,9 @@ endmodule
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_ready, out_word);
     parameter WIDTH = 2;
     parameter HEAD = 1;
+    // The bits that stay have four parts, each with flags of its own: one flag for all of them would have to reach too far.
+    localparam BODY = WIDTH - HEAD;
+    localparam PART = BODY >> 2;
     input wire clock;
     input wire reset;
     input wire in_valid;
@@ -1174,38 +1195,72 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, i
     reg second_full;
     reg [HEAD - 1:0] first_head;
     reg [HEAD - 1:0] second_head;
-    reg writes_odd;
-    reg reads_odd;
-    reg [WIDTH - HEAD - 1:0] even_body;
-    reg [WIDTH - HEAD - 1:0] odd_body;
+    // The places of the next word to come and of the next to go.
+    reg comes_odd;
+    reg goes_odd;
     initial first_full = 1'b0;
     initial second_full = 1'b0;
-    initial writes_odd = 1'b0;
-    initial reads_odd = 1'b0;
-    wire [HEAD - 1:0] in_head = in_word[WIDTH - 1:WIDTH - HEAD];
+    initial comes_odd = 1'b0;
+    initial goes_odd = 1'b0;
+    wire [HEAD - 1:0] in_head = in_word[WIDTH - 1:BODY];
     wire first_takes = ~first_full | out_ready;
+    wire comes = in_valid & in_ready;
+    wire second_full_next = ~reset & ~first_takes & (second_full | comes);
+    wire comes_odd_next = ~reset & (comes_odd ^ comes);
+    wire goes_odd_next = ~reset & (goes_odd ^ (out_valid & out_ready));
+    // The place that is written is free while a word can come.
+    wire even_next = ~second_full_next & ~comes_odd_next;
+    wire odd_next = ~second_full_next & comes_odd_next;
     assign in_ready = ~second_full;
     assign out_valid = first_full;
-    assign out_word = {first_head, reads_odd ? odd_body : even_body};
+    assign out_word[WIDTH - 1:BODY] = first_head;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(PART)) part_0(.clock(clock), .even_next(even_next), .odd_next(odd_next), .goes_odd_next(goes_odd_next),
+        .in_word(in_word[PART - 1:0]), .out_word(out_word[PART - 1:0]));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(PART)) part_1(.clock(clock), .even_next(even_next), .odd_next(odd_next), .goes_odd_next(goes_odd_next),
+        .in_word(in_word[2 * PART - 1:PART]), .out_word(out_word[2 * PART - 1:PART]));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(PART)) part_2(.clock(clock), .even_next(even_next), .odd_next(odd_next), .goes_odd_next(goes_odd_next),
+        .in_word(in_word[3 * PART - 1:2 * PART]), .out_word(out_word[3 * PART - 1:2 * PART]));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part #(.WIDTH(BODY - 3 * PART)) part_3(.clock(clock), .even_next(even_next), .odd_next(odd_next),
+        .goes_odd_next(goes_odd_next), .in_word(in_word[BODY - 1:3 * PART]), .out_word(out_word[BODY - 1:3 * PART]));
     always @(posedge clock) begin
+        first_full <= ~reset & (first_takes ? second_full | comes : 1'b1);
+        second_full <= second_full_next;
         if (first_takes) begin
-            first_full <= second_full | (in_valid & in_ready);
-            second_full <= 1'b0;
             if (second_full) first_head <= second_head;
             else first_head <= in_head;
-        end else if (in_valid & in_ready) second_full <= 1'b1;
-        if (~second_full) second_head <= in_head;
-        // The place that is written is free while a word can come.
-        if (in_ready & ~writes_odd) even_body <= in_word[WIDTH - HEAD - 1:0];
-        if (in_ready & writes_odd) odd_body <= in_word[WIDTH - HEAD - 1:0];
-        writes_odd <= writes_odd ^ (in_valid & in_ready);
-        reads_odd <= reads_odd ^ (out_valid & out_ready);
-        if (reset) begin
-            first_full <= 1'b0;
-            second_full <= 1'b0;
-            writes_odd <= 1'b0;
-            reads_odd <= 1'b0;
         end
+        if (~second_full) second_head <= in_head;
+        comes_odd <= comes_odd_next;
+        goes_odd <= goes_odd_next;
+    end
+endmodule
+
+// A part of the words of a slice, with two places. Its flags stand beside it: `keep` on the statements keeps synthesis from merging them
+// with those of other parts.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice_part(clock, even_next, odd_next, goes_odd_next, in_word, out_word);
+    parameter WIDTH = 1;
+    input wire clock;
+    // In the next clock a word can come into the even place, into the odd one, and the odd one is given.
+    input wire even_next;
+    input wire odd_next;
+    input wire goes_odd_next;
+    input wire [WIDTH - 1:0] in_word;
+    output wire [WIDTH - 1:0] out_word;
+    reg [WIDTH - 1:0] even_word;
+    reg [WIDTH - 1:0] odd_word;
+    reg even;
+    reg odd;
+    reg goes_odd;
+    initial even = 1'b1;
+    initial odd = 1'b0;
+    initial goes_odd = 1'b0;
+    (* keep *) always @(posedge clock) even <= even_next;
+    (* keep *) always @(posedge clock) odd <= odd_next;
+    (* keep *) always @(posedge clock) goes_odd <= goes_odd_next;
+    assign out_word = goes_odd ? odd_word : even_word;
+    always @(posedge clock) begin
+        if (even) even_word <= in_word;
+        if (odd) odd_word <= in_word;
     end
 endmodule
 
@@ -1331,18 +1386,46 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_queue(clock, reset, in_valid, i
     output wire out_valid;
     input wire out_ready;
     output wire [WIDTH - 1:0] out_word;
-    reg [WIDTH - 1:0] words [0:(1 << PLACE) - 1];
-    // The places of the next word to write and to give; one more bit says whether all are full where the places are the same.
-    reg [PLACE:0] write;
-    reg [PLACE:0] read;
-    initial write = {(PLACE + 1){1'b0}};
-    initial read = {(PLACE + 1){1'b0}};
-    assign out_valid = write != read;
-    assign out_word = words[read[PLACE - 1:0]];
+    // No word is read in the clock in which its place is written.
+    (* no_rw_check *) reg [WIDTH - 1:0] words [0:(1 << PLACE) - 1];
+    // The word that is given, which has left the memory: a register, so that a memory may be a block RAM and no path leads through it.
+    reg [WIDTH - 1:0] front;
+    reg has_front;
+    // The places of the next word to write, of the newest, and of the next to read; whether there is one.
+    reg [PLACE - 1:0] write;
+    reg [PLACE - 1:0] newest;
+    reg [PLACE - 1:0] read;
+    reg has_word;
+    initial has_front = 1'b0;
+    initial write = {PLACE{1'b0}};
+    initial newest = {PLACE{1'b0}};
+    initial read = {PLACE{1'b0}};
+    initial has_word = 1'b0;
+    wire reads = has_word & (~has_front | out_ready);
+    // From registers alone, since the ready comes late.
+    (* keep *) wire is_newest;
+    assign is_newest = read == newest;
+    assign out_valid = has_front;
+    assign out_word = front;
     always @(posedge clock) begin
-        if (in_valid) words[write[PLACE - 1:0]] <= in_word;
-        write <= reset ? {(PLACE + 1){1'b0}} : write + in_valid;
-        read <= reset ? {(PLACE + 1){1'b0}} : read + (out_valid & out_ready);
+        if (in_valid) begin
+            words[write] <= in_word;
+            newest <= write;
+            write <= write + 1'b1;
+        end
+        if (reads) begin
+            front <= words[read];
+            read <= read + 1'b1;
+        end
+        has_word <= in_valid | (has_word & ~(reads & is_newest));
+        has_front <= reads | (has_front & ~out_ready);
+        if (reset) begin
+            write <= {PLACE{1'b0}};
+            newest <= {PLACE{1'b0}};
+            read <= {PLACE{1'b0}};
+            has_word <= 1'b0;
+            has_front <= 1'b0;
+        end
     end
 endmodule
 
@@ -1433,7 +1516,7 @@ endmodule
 // most photons   64 a query
 // squarers       digits in 1, product in 1 of 2 engines
 // clocks         1 for a group of 4 photons; at least 3 a batch
-// latency        11 clocks from a batch's last group to its first result, 2 more to each further
+// latency        12 clocks from a batch's last group to its first result, 2 more to each further
 //                one
 //
 // Ports of photoncube_leaf_5_local7_rgb6d_n64; bit 0 is the lowest:
@@ -1495,9 +1578,9 @@ endmodule
 //     at most 16 groups; group 16 ends it with or without group_last, and what follows begins the
 //     next set.
 //   - A leaf is two groups of a set that follow each other, the first two and so on. All its
-//     photons have one facing, and their order means nothing. A leaf is skipped where the box
+//     photons have one facing, and their order means nothing. A group is skipped where the box
 //     around its photons is out of range of the box around the batch's queries, so photons of a
-//     leaf should be close together, and so should queries of a batch. A facing is any number: a
+//     group should be close together, and so should queries of a batch. A facing is any number: a
 //     leaf of facing i is gathered by the batches with bit i of query_facings, and the machine does
 //     nothing else with it.
 //   - Ready and valid pins are registers, or depend on registers alone.
@@ -1679,13 +1762,19 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg [8:0] borders_z_2;
     reg [8:0] borders_z_3;
     reg borders_comes;
-    reg borders_first;
+    reg borders_first_comes;
     wire [8:0] borders_low_0;
     wire [8:0] borders_low_1;
     wire [8:0] borders_low_2;
+    wire [8:0] borders_low_3;
+    wire [8:0] borders_low_4;
+    wire [8:0] borders_low_5;
     wire [8:0] borders_high_0;
     wire [8:0] borders_high_1;
     wire [8:0] borders_high_2;
+    wire [8:0] borders_high_3;
+    wire [8:0] borders_high_4;
+    wire [8:0] borders_high_5;
     reg control_clock;
     reg control_reset;
     reg control_write_valid;
@@ -1696,12 +1785,14 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg control_frees;
     reg control_freed_bank;
     wire control_comes;
-    wire control_first;
+    wire control_first_comes;
     wire control_box_valid_out;
     wire control_box_bank_out;
     wire [2:0] control_box_leaf_out;
-    wire control_box_short_out;
-    wire [4:0] control_box_facing_out;
+    wire control_box_short_out_0;
+    wire control_box_short_out_1;
+    wire [4:0] control_box_facing_out_0;
+    wire [4:0] control_box_facing_out_1;
     wire control_full_0_out;
     wire control_full_1_out;
     wire [2:0] control_end_0_out;
@@ -1710,11 +1801,19 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg [8:0] box_words_low_0;
     reg [8:0] box_words_low_1;
     reg [8:0] box_words_low_2;
+    reg [8:0] box_words_low_3;
+    reg [8:0] box_words_low_4;
+    reg [8:0] box_words_low_5;
     reg [8:0] box_words_high_0;
     reg [8:0] box_words_high_1;
     reg [8:0] box_words_high_2;
-    reg [4:0] box_words_facing;
-    reg box_words_short;
+    reg [8:0] box_words_high_3;
+    reg [8:0] box_words_high_4;
+    reg [8:0] box_words_high_5;
+    reg [4:0] box_words_facing_0;
+    reg [4:0] box_words_facing_1;
+    reg box_words_short_0;
+    reg box_words_short_1;
     reg box_words_write;
     reg box_words_write_bank;
     reg [2:0] box_words_write_leaf;
@@ -1727,12 +1826,24 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     wire [8:0] box_words_found_low_3;
     wire [8:0] box_words_found_low_4;
     wire [8:0] box_words_found_low_5;
+    wire [8:0] box_words_found_low_6;
+    wire [8:0] box_words_found_low_7;
+    wire [8:0] box_words_found_low_8;
+    wire [8:0] box_words_found_low_9;
+    wire [8:0] box_words_found_low_10;
+    wire [8:0] box_words_found_low_11;
     wire [8:0] box_words_found_high_0;
     wire [8:0] box_words_found_high_1;
     wire [8:0] box_words_found_high_2;
     wire [8:0] box_words_found_high_3;
     wire [8:0] box_words_found_high_4;
     wire [8:0] box_words_found_high_5;
+    wire [8:0] box_words_found_high_6;
+    wire [8:0] box_words_found_high_7;
+    wire [8:0] box_words_found_high_8;
+    wire [8:0] box_words_found_high_9;
+    wire [8:0] box_words_found_high_10;
+    wire [8:0] box_words_found_high_11;
     wire [4:0] box_words_found_facing_0;
     wire [4:0] box_words_found_facing_1;
     wire box_words_found_short_0;
@@ -1851,20 +1962,34 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg [8:0] culler_query_high_0;
     reg [8:0] culler_query_high_1;
     reg [8:0] culler_query_high_2;
-    reg [8:0] culler_leaf_low_0;
-    reg [8:0] culler_leaf_low_1;
-    reg [8:0] culler_leaf_low_2;
-    reg [8:0] culler_leaf_low_3;
-    reg [8:0] culler_leaf_low_4;
-    reg [8:0] culler_leaf_low_5;
-    reg [8:0] culler_leaf_high_0;
-    reg [8:0] culler_leaf_high_1;
-    reg [8:0] culler_leaf_high_2;
-    reg [8:0] culler_leaf_high_3;
-    reg [8:0] culler_leaf_high_4;
-    reg [8:0] culler_leaf_high_5;
+    reg [8:0] culler_group_low_0;
+    reg [8:0] culler_group_low_1;
+    reg [8:0] culler_group_low_2;
+    reg [8:0] culler_group_low_3;
+    reg [8:0] culler_group_low_4;
+    reg [8:0] culler_group_low_5;
+    reg [8:0] culler_group_low_6;
+    reg [8:0] culler_group_low_7;
+    reg [8:0] culler_group_low_8;
+    reg [8:0] culler_group_low_9;
+    reg [8:0] culler_group_low_10;
+    reg [8:0] culler_group_low_11;
+    reg [8:0] culler_group_high_0;
+    reg [8:0] culler_group_high_1;
+    reg [8:0] culler_group_high_2;
+    reg [8:0] culler_group_high_3;
+    reg [8:0] culler_group_high_4;
+    reg [8:0] culler_group_high_5;
+    reg [8:0] culler_group_high_6;
+    reg [8:0] culler_group_high_7;
+    reg [8:0] culler_group_high_8;
+    reg [8:0] culler_group_high_9;
+    reg [8:0] culler_group_high_10;
+    reg [8:0] culler_group_high_11;
     wire culler_in_range_0;
     wire culler_in_range_1;
+    wire culler_in_range_2;
+    wire culler_in_range_3;
     reg cull_0_clock;
     reg cull_0_reset;
     reg cull_0_valid_in;
@@ -1954,6 +2079,8 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg queue_releases;
     reg queue_in_range_0;
     reg queue_in_range_1;
+    reg queue_in_range_2;
+    reg queue_in_range_3;
     reg queue_gathered_0;
     reg queue_gathered_1;
     reg queue_short_0;
@@ -2163,13 +2290,19 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .z_2(borders_z_2),
         .z_3(borders_z_3),
         .comes(borders_comes),
-        .first(borders_first),
+        .first_comes(borders_first_comes),
         .low_0(borders_low_0),
         .low_1(borders_low_1),
         .low_2(borders_low_2),
+        .low_3(borders_low_3),
+        .low_4(borders_low_4),
+        .low_5(borders_low_5),
         .high_0(borders_high_0),
         .high_1(borders_high_1),
-        .high_2(borders_high_2)
+        .high_2(borders_high_2),
+        .high_3(borders_high_3),
+        .high_4(borders_high_4),
+        .high_5(borders_high_5)
     );
     photoncube_leaf_5_local7_rgb6d_n64_control control(
         .clock(control_clock),
@@ -2182,12 +2315,14 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .frees(control_frees),
         .freed_bank(control_freed_bank),
         .comes(control_comes),
-        .first(control_first),
+        .first_comes(control_first_comes),
         .box_valid_out(control_box_valid_out),
         .box_bank_out(control_box_bank_out),
         .box_leaf_out(control_box_leaf_out),
-        .box_short_out(control_box_short_out),
-        .box_facing_out(control_box_facing_out),
+        .box_short_out_0(control_box_short_out_0),
+        .box_short_out_1(control_box_short_out_1),
+        .box_facing_out_0(control_box_facing_out_0),
+        .box_facing_out_1(control_box_facing_out_1),
         .full_0_out(control_full_0_out),
         .full_1_out(control_full_1_out),
         .end_0_out(control_end_0_out),
@@ -2198,11 +2333,19 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .low_0(box_words_low_0),
         .low_1(box_words_low_1),
         .low_2(box_words_low_2),
+        .low_3(box_words_low_3),
+        .low_4(box_words_low_4),
+        .low_5(box_words_low_5),
         .high_0(box_words_high_0),
         .high_1(box_words_high_1),
         .high_2(box_words_high_2),
-        .facing(box_words_facing),
-        .short(box_words_short),
+        .high_3(box_words_high_3),
+        .high_4(box_words_high_4),
+        .high_5(box_words_high_5),
+        .facing_0(box_words_facing_0),
+        .facing_1(box_words_facing_1),
+        .short_0(box_words_short_0),
+        .short_1(box_words_short_1),
         .write(box_words_write),
         .write_bank(box_words_write_bank),
         .write_leaf(box_words_write_leaf),
@@ -2215,12 +2358,24 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .found_low_3(box_words_found_low_3),
         .found_low_4(box_words_found_low_4),
         .found_low_5(box_words_found_low_5),
+        .found_low_6(box_words_found_low_6),
+        .found_low_7(box_words_found_low_7),
+        .found_low_8(box_words_found_low_8),
+        .found_low_9(box_words_found_low_9),
+        .found_low_10(box_words_found_low_10),
+        .found_low_11(box_words_found_low_11),
         .found_high_0(box_words_found_high_0),
         .found_high_1(box_words_found_high_1),
         .found_high_2(box_words_found_high_2),
         .found_high_3(box_words_found_high_3),
         .found_high_4(box_words_found_high_4),
         .found_high_5(box_words_found_high_5),
+        .found_high_6(box_words_found_high_6),
+        .found_high_7(box_words_found_high_7),
+        .found_high_8(box_words_found_high_8),
+        .found_high_9(box_words_found_high_9),
+        .found_high_10(box_words_found_high_10),
+        .found_high_11(box_words_found_high_11),
         .found_facing_0(box_words_found_facing_0),
         .found_facing_1(box_words_found_facing_1),
         .found_short_0(box_words_found_short_0),
@@ -2246,7 +2401,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .release_out(former_release_out),
         .facings_out(former_facings_out)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_border query_border_0(
+    photoncube_leaf_5_local7_rgb6d_n64_query_border query_border_0(
         .clock(query_border_0_clock),
         .comes(query_border_0_comes),
         .first(query_border_0_first),
@@ -2255,7 +2410,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .low_out(query_border_0_low_out),
         .high_out(query_border_0_high_out)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_border query_border_1(
+    photoncube_leaf_5_local7_rgb6d_n64_query_border query_border_1(
         .clock(query_border_1_clock),
         .comes(query_border_1_comes),
         .first(query_border_1_first),
@@ -2264,7 +2419,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .low_out(query_border_1_low_out),
         .high_out(query_border_1_high_out)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_border query_border_2(
+    photoncube_leaf_5_local7_rgb6d_n64_query_border query_border_2(
         .clock(query_border_2_clock),
         .comes(query_border_2_comes),
         .first(query_border_2_first),
@@ -2317,37 +2472,37 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .found_second_out(scan_found_second_out),
         .compared(scan_compared)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_scan_high scan_low_0(
+    photoncube_leaf_5_local7_rgb6d_n64_held_high scan_low_0(
         .clock(scan_low_0_clock),
         .takes(scan_low_0_takes),
         .d(scan_low_0_d),
         .q(scan_low_0_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_scan_high scan_low_1(
+    photoncube_leaf_5_local7_rgb6d_n64_held_high scan_low_1(
         .clock(scan_low_1_clock),
         .takes(scan_low_1_takes),
         .d(scan_low_1_d),
         .q(scan_low_1_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_scan_high scan_low_2(
+    photoncube_leaf_5_local7_rgb6d_n64_held_high scan_low_2(
         .clock(scan_low_2_clock),
         .takes(scan_low_2_takes),
         .d(scan_low_2_d),
         .q(scan_low_2_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_scan_high scan_high_0(
+    photoncube_leaf_5_local7_rgb6d_n64_held_high scan_high_0(
         .clock(scan_high_0_clock),
         .takes(scan_high_0_takes),
         .d(scan_high_0_d),
         .q(scan_high_0_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_scan_high scan_high_1(
+    photoncube_leaf_5_local7_rgb6d_n64_held_high scan_high_1(
         .clock(scan_high_1_clock),
         .takes(scan_high_1_takes),
         .d(scan_high_1_d),
         .q(scan_high_1_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_scan_high scan_high_2(
+    photoncube_leaf_5_local7_rgb6d_n64_held_high scan_high_2(
         .clock(scan_high_2_clock),
         .takes(scan_high_2_takes),
         .d(scan_high_2_d),
@@ -2371,20 +2526,34 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .query_high_0(culler_query_high_0),
         .query_high_1(culler_query_high_1),
         .query_high_2(culler_query_high_2),
-        .leaf_low_0(culler_leaf_low_0),
-        .leaf_low_1(culler_leaf_low_1),
-        .leaf_low_2(culler_leaf_low_2),
-        .leaf_low_3(culler_leaf_low_3),
-        .leaf_low_4(culler_leaf_low_4),
-        .leaf_low_5(culler_leaf_low_5),
-        .leaf_high_0(culler_leaf_high_0),
-        .leaf_high_1(culler_leaf_high_1),
-        .leaf_high_2(culler_leaf_high_2),
-        .leaf_high_3(culler_leaf_high_3),
-        .leaf_high_4(culler_leaf_high_4),
-        .leaf_high_5(culler_leaf_high_5),
+        .group_low_0(culler_group_low_0),
+        .group_low_1(culler_group_low_1),
+        .group_low_2(culler_group_low_2),
+        .group_low_3(culler_group_low_3),
+        .group_low_4(culler_group_low_4),
+        .group_low_5(culler_group_low_5),
+        .group_low_6(culler_group_low_6),
+        .group_low_7(culler_group_low_7),
+        .group_low_8(culler_group_low_8),
+        .group_low_9(culler_group_low_9),
+        .group_low_10(culler_group_low_10),
+        .group_low_11(culler_group_low_11),
+        .group_high_0(culler_group_high_0),
+        .group_high_1(culler_group_high_1),
+        .group_high_2(culler_group_high_2),
+        .group_high_3(culler_group_high_3),
+        .group_high_4(culler_group_high_4),
+        .group_high_5(culler_group_high_5),
+        .group_high_6(culler_group_high_6),
+        .group_high_7(culler_group_high_7),
+        .group_high_8(culler_group_high_8),
+        .group_high_9(culler_group_high_9),
+        .group_high_10(culler_group_high_10),
+        .group_high_11(culler_group_high_11),
         .in_range_0(culler_in_range_0),
-        .in_range_1(culler_in_range_1)
+        .in_range_1(culler_in_range_1),
+        .in_range_2(culler_in_range_2),
+        .in_range_3(culler_in_range_3)
     );
     photoncube_leaf_5_local7_rgb6d_n64_cull cull_0(
         .clock(cull_0_clock),
@@ -2486,6 +2655,8 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .releases(queue_releases),
         .in_range_0(queue_in_range_0),
         .in_range_1(queue_in_range_1),
+        .in_range_2(queue_in_range_2),
+        .in_range_3(queue_in_range_3),
         .gathered_0(queue_gathered_0),
         .gathered_1(queue_gathered_1),
         .short_0(queue_short_0),
@@ -2641,7 +2812,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         group_words_blue_3 = photon_blue_3;
         borders_clock = clock;
         borders_comes = control_comes;
-        borders_first = control_first;
+        borders_first_comes = control_first_comes;
         control_clock = clock;
         control_reset = reset;
         control_write_valid = fill_write_valid_out;
@@ -2655,11 +2826,13 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         box_words_write = control_box_valid_out;
         box_words_write_bank = control_box_bank_out;
         box_words_write_leaf = control_box_leaf_out;
-        box_words_facing = control_box_facing_out;
-        box_words_short = control_box_short_out;
         box_words_read = scan_issues;
         box_words_read_bank = scan_issue_bank;
         box_words_read_pair = scan_issue_pair;
+        box_words_facing_0 = control_box_facing_out_0;
+        box_words_short_0 = control_box_short_out_0;
+        box_words_facing_1 = control_box_facing_out_1;
+        box_words_short_1 = control_box_short_out_1;
         borders_present_0 = group_words_write_present_0;
         borders_x_0 = group_words_write_x_0;
         borders_y_0 = group_words_write_y_0;
@@ -2682,6 +2855,12 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         box_words_high_1 = borders_high_1;
         box_words_low_2 = borders_low_2;
         box_words_high_2 = borders_high_2;
+        box_words_low_3 = borders_low_3;
+        box_words_high_3 = borders_high_3;
+        box_words_low_4 = borders_low_4;
+        box_words_high_4 = borders_high_4;
+        box_words_low_5 = borders_low_5;
+        box_words_high_5 = borders_high_5;
         former_clock = clock;
         former_reset = reset;
         former_query_valid = query_valid;
@@ -2755,18 +2934,30 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         scan_high_2_d = query_border_2_high_out;
         culler_query_low_2 = scan_low_2_q;
         culler_query_high_2 = scan_high_2_q;
-        culler_leaf_low_0 = box_words_found_low_0;
-        culler_leaf_high_0 = box_words_found_high_0;
-        culler_leaf_low_1 = box_words_found_low_1;
-        culler_leaf_high_1 = box_words_found_high_1;
-        culler_leaf_low_2 = box_words_found_low_2;
-        culler_leaf_high_2 = box_words_found_high_2;
-        culler_leaf_low_3 = box_words_found_low_3;
-        culler_leaf_high_3 = box_words_found_high_3;
-        culler_leaf_low_4 = box_words_found_low_4;
-        culler_leaf_high_4 = box_words_found_high_4;
-        culler_leaf_low_5 = box_words_found_low_5;
-        culler_leaf_high_5 = box_words_found_high_5;
+        culler_group_low_0 = box_words_found_low_0;
+        culler_group_high_0 = box_words_found_high_0;
+        culler_group_low_1 = box_words_found_low_1;
+        culler_group_high_1 = box_words_found_high_1;
+        culler_group_low_2 = box_words_found_low_2;
+        culler_group_high_2 = box_words_found_high_2;
+        culler_group_low_3 = box_words_found_low_3;
+        culler_group_high_3 = box_words_found_high_3;
+        culler_group_low_4 = box_words_found_low_4;
+        culler_group_high_4 = box_words_found_high_4;
+        culler_group_low_5 = box_words_found_low_5;
+        culler_group_high_5 = box_words_found_high_5;
+        culler_group_low_6 = box_words_found_low_6;
+        culler_group_high_6 = box_words_found_high_6;
+        culler_group_low_7 = box_words_found_low_7;
+        culler_group_high_7 = box_words_found_high_7;
+        culler_group_low_8 = box_words_found_low_8;
+        culler_group_high_8 = box_words_found_high_8;
+        culler_group_low_9 = box_words_found_low_9;
+        culler_group_high_9 = box_words_found_high_9;
+        culler_group_low_10 = box_words_found_low_10;
+        culler_group_high_10 = box_words_found_high_10;
+        culler_group_low_11 = box_words_found_low_11;
+        culler_group_high_11 = box_words_found_high_11;
         cull_0_valid_in = scan_found_valid_out;
         cull_0_pair_in = scan_found_pair_out;
         cull_0_bank_in = scan_found_bank_out;
@@ -2823,9 +3014,11 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         queue_releases = cull_4_release_out;
         queue_takes_pair = player_takes_pair;
         queue_in_range_0 = culler_in_range_0;
+        queue_in_range_1 = culler_in_range_1;
+        queue_in_range_2 = culler_in_range_2;
+        queue_in_range_3 = culler_in_range_3;
         queue_gathered_0 = gathers_gathered_0;
         queue_short_0 = cull_4_short_out_0;
-        queue_in_range_1 = culler_in_range_1;
         queue_gathered_1 = gathers_gathered_1;
         queue_short_1 = cull_4_short_out_1;
         player_clock = clock;
@@ -2922,6 +3115,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
     reg [4:0] tag_read_d;
     wire [4:0] tag_read_q;
     reg tag_read_clock;
+    reg has_oldest_d;
+    wire has_oldest_q;
+    reg has_oldest_clock;
+    reg [18:0] oldest_d;
+    wire [18:0] oldest_q;
+    reg oldest_clock;
     reg tag_result_d;
     wire tag_result_q;
     reg tag_result_clock;
@@ -2938,6 +3137,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
     reg valid;
     reg ready;
     reg takes;
+    reg has_more;
+    reg loads;
     reg is_last;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_5 tag_write(
@@ -2949,6 +3150,16 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         .d(tag_read_d),
         .q(tag_read_q),
         .clock(tag_read_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 has_oldest(
+        .d(has_oldest_d),
+        .q(has_oldest_q),
+        .clock(has_oldest_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_19 oldest(
+        .d(oldest_d),
+        .q(oldest_q),
+        .clock(oldest_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_1 tag_result(
         .d(tag_result_d),
@@ -2967,9 +3178,13 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
     always @(*) begin
         tag_write_clock = clock;
         tag_read_clock = clock;
+        has_oldest_clock = clock;
+        oldest_clock = clock;
         tag_result_clock = clock;
         tag_write_d = tag_write_q;
         tag_read_d = tag_read_q;
+        has_oldest_d = has_oldest_q;
+        oldest_d = oldest_q;
         tag_result_d = tag_result_q;
         tag_ram_clock = clock;
         tag_in = ((query_tag) & 19'h7ffff) << 32'h1;
@@ -2981,7 +3196,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         tag_ram_write_place = tag_write_q;
         tag_ram_write_word = tag_in | kind_in;
         tag_ram_read_place = tag_read_q;
-        is_query = tag_ram_read_word[32'h0];
+        is_query = oldest_q[32'h0];
         valid = chain_valid & is_query;
         ready = result_ready | ~is_query;
         takes = chain_valid & ready;
@@ -2989,8 +3204,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         if (takes_token) begin
             tag_write_d = tag_write_q + 32'h1;
         end
-        if (takes) begin
+        has_more = tag_read_q != tag_write_q;
+        loads = has_more & (takes | ~has_oldest_q);
+        has_oldest_d = loads | (has_oldest_q & ~takes);
+        if (loads) begin
             tag_read_d = tag_read_q + 32'h1;
+            oldest_d = tag_ram_read_word;
+        end
+        if (takes) begin
             tag_result_d = tag_result_q + 32'h1;
             if (is_last) begin
                 tag_result_d = 32'h0;
@@ -2999,13 +3220,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         if (reset) begin
             tag_write_d = 32'h0;
             tag_read_d = 32'h0;
+            has_oldest_d = 1'b0;
             tag_result_d = 32'h0;
         end
         chain_ready = ready;
         result_valid = valid;
         result_tag = 32'h0;
         if (valid) begin
-            result_tag = tag_ram_read_word[(32'h1)+:(18)];
+            result_tag = oldest_q[(32'h1)+:(18)];
         end
         batch_leaves = takes & is_last;
     end
@@ -3552,8 +3774,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_fill(clock, reset, group_valid, group_
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, bank, ends, releases, in_range_0,
-    in_range_1, gathered_0, gathered_1, short_0, short_1, takes_pair, drops, has_pair,
-    oldest_pair, oldest_mask, oldest_flags, wanted);
+    in_range_1, in_range_2, in_range_3, gathered_0, gathered_1, short_0, short_1, takes_pair,
+    drops, has_pair, oldest_pair, oldest_mask, oldest_flags, wanted);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -3564,6 +3786,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, ban
     input wire releases;
     input wire in_range_0;
     input wire in_range_1;
+    input wire in_range_2;
+    input wire in_range_3;
     input wire gathered_0;
     input wire gathered_1;
     input wire short_0;
@@ -3604,6 +3828,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, ban
     reg [4:0] flag_ram_read_place;
     wire [2:0] flag_ram_read_word;
     // Local signals
+    reg second_0;
+    reg second_1;
+    reg near_0;
+    reg near_1;
     reg wanted_0;
     reg wanted_1;
     reg some;
@@ -3661,23 +3889,27 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, ban
         pair_ram_clock = clock;
         mask_ram_clock = clock;
         flag_ram_clock = clock;
-        wanted_0 = in_range_0 & gathered_0;
-        wanted_1 = in_range_1 & gathered_1;
+        second_0 = in_range_1 & ~short_0;
+        second_1 = in_range_3 & ~short_1;
+        near_0 = in_range_0 | second_0;
+        near_1 = in_range_2 | second_1;
+        wanted_0 = near_0 & gathered_0;
+        wanted_1 = near_1 & gathered_1;
         some = wanted_0 | wanted_1 | ends;
         queues = valid & some;
         drops = valid & ~some;
         mask = 32'h0;
-        if (wanted_0) begin
-            mask = 32'h3;
-            if (short_0) begin
-                mask = 32'h1;
-            end
+        if (in_range_0 & gathered_0) begin
+            mask = mask | 32'h1;
         end
-        if (wanted_1) begin
+        if (second_0 & gathered_0) begin
+            mask = mask | 32'h2;
+        end
+        if (in_range_2 & gathered_1) begin
             mask = mask | 32'h4;
-            if (~short_1) begin
-                mask = mask | 32'h8;
-            end
+        end
+        if (second_1 & gathered_1) begin
+            mask = mask | 32'h8;
         end
         wanted = 32'h0;
         if (valid & (wanted_0 | wanted_1)) begin
@@ -5131,9 +5363,11 @@ module photoncube_leaf_5_local7_rgb6d_n64_former(clock, reset, query_valid, quer
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1, query_low_2, query_high_0,
-    query_high_1, query_high_2, leaf_low_0, leaf_low_1, leaf_low_2, leaf_low_3, leaf_low_4,
-    leaf_low_5, leaf_high_0, leaf_high_1, leaf_high_2, leaf_high_3, leaf_high_4, leaf_high_5,
-    in_range_0, in_range_1);
+    query_high_1, query_high_2, group_low_0, group_low_1, group_low_2, group_low_3, group_low_4,
+    group_low_5, group_low_6, group_low_7, group_low_8, group_low_9, group_low_10, group_low_11,
+    group_high_0, group_high_1, group_high_2, group_high_3, group_high_4, group_high_5,
+    group_high_6, group_high_7, group_high_8, group_high_9, group_high_10, group_high_11,
+    in_range_0, in_range_1, in_range_2, in_range_3);
     // Module arguments
     input wire clock;
     input wire [8:0] query_low_0;
@@ -5142,51 +5376,95 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
     input wire [8:0] query_high_0;
     input wire [8:0] query_high_1;
     input wire [8:0] query_high_2;
-    input wire [8:0] leaf_low_0;
-    input wire [8:0] leaf_low_1;
-    input wire [8:0] leaf_low_2;
-    input wire [8:0] leaf_low_3;
-    input wire [8:0] leaf_low_4;
-    input wire [8:0] leaf_low_5;
-    input wire [8:0] leaf_high_0;
-    input wire [8:0] leaf_high_1;
-    input wire [8:0] leaf_high_2;
-    input wire [8:0] leaf_high_3;
-    input wire [8:0] leaf_high_4;
-    input wire [8:0] leaf_high_5;
+    input wire [8:0] group_low_0;
+    input wire [8:0] group_low_1;
+    input wire [8:0] group_low_2;
+    input wire [8:0] group_low_3;
+    input wire [8:0] group_low_4;
+    input wire [8:0] group_low_5;
+    input wire [8:0] group_low_6;
+    input wire [8:0] group_low_7;
+    input wire [8:0] group_low_8;
+    input wire [8:0] group_low_9;
+    input wire [8:0] group_low_10;
+    input wire [8:0] group_low_11;
+    input wire [8:0] group_high_0;
+    input wire [8:0] group_high_1;
+    input wire [8:0] group_high_2;
+    input wire [8:0] group_high_3;
+    input wire [8:0] group_high_4;
+    input wire [8:0] group_high_5;
+    input wire [8:0] group_high_6;
+    input wire [8:0] group_high_7;
+    input wire [8:0] group_high_8;
+    input wire [8:0] group_high_9;
+    input wire [8:0] group_high_10;
+    input wire [8:0] group_high_11;
     output reg in_range_0;
     output reg in_range_1;
+    output reg in_range_2;
+    output reg in_range_3;
     // Stub signals
     reg [8:0] gap_0_query_low;
     reg [8:0] gap_0_query_high;
-    reg [8:0] gap_0_leaf_low;
-    reg [8:0] gap_0_leaf_high;
+    reg [8:0] gap_0_group_low;
+    reg [8:0] gap_0_group_high;
     wire [9:0] gap_0_difference;
     reg [8:0] gap_1_query_low;
     reg [8:0] gap_1_query_high;
-    reg [8:0] gap_1_leaf_low;
-    reg [8:0] gap_1_leaf_high;
+    reg [8:0] gap_1_group_low;
+    reg [8:0] gap_1_group_high;
     wire [9:0] gap_1_difference;
     reg [8:0] gap_2_query_low;
     reg [8:0] gap_2_query_high;
-    reg [8:0] gap_2_leaf_low;
-    reg [8:0] gap_2_leaf_high;
+    reg [8:0] gap_2_group_low;
+    reg [8:0] gap_2_group_high;
     wire [9:0] gap_2_difference;
     reg [8:0] gap_3_query_low;
     reg [8:0] gap_3_query_high;
-    reg [8:0] gap_3_leaf_low;
-    reg [8:0] gap_3_leaf_high;
+    reg [8:0] gap_3_group_low;
+    reg [8:0] gap_3_group_high;
     wire [9:0] gap_3_difference;
     reg [8:0] gap_4_query_low;
     reg [8:0] gap_4_query_high;
-    reg [8:0] gap_4_leaf_low;
-    reg [8:0] gap_4_leaf_high;
+    reg [8:0] gap_4_group_low;
+    reg [8:0] gap_4_group_high;
     wire [9:0] gap_4_difference;
     reg [8:0] gap_5_query_low;
     reg [8:0] gap_5_query_high;
-    reg [8:0] gap_5_leaf_low;
-    reg [8:0] gap_5_leaf_high;
+    reg [8:0] gap_5_group_low;
+    reg [8:0] gap_5_group_high;
     wire [9:0] gap_5_difference;
+    reg [8:0] gap_6_query_low;
+    reg [8:0] gap_6_query_high;
+    reg [8:0] gap_6_group_low;
+    reg [8:0] gap_6_group_high;
+    wire [9:0] gap_6_difference;
+    reg [8:0] gap_7_query_low;
+    reg [8:0] gap_7_query_high;
+    reg [8:0] gap_7_group_low;
+    reg [8:0] gap_7_group_high;
+    wire [9:0] gap_7_difference;
+    reg [8:0] gap_8_query_low;
+    reg [8:0] gap_8_query_high;
+    reg [8:0] gap_8_group_low;
+    reg [8:0] gap_8_group_high;
+    wire [9:0] gap_8_difference;
+    reg [8:0] gap_9_query_low;
+    reg [8:0] gap_9_query_high;
+    reg [8:0] gap_9_group_low;
+    reg [8:0] gap_9_group_high;
+    wire [9:0] gap_9_difference;
+    reg [8:0] gap_10_query_low;
+    reg [8:0] gap_10_query_high;
+    reg [8:0] gap_10_group_low;
+    reg [8:0] gap_10_group_high;
+    wire [9:0] gap_10_difference;
+    reg [8:0] gap_11_query_low;
+    reg [8:0] gap_11_query_high;
+    reg [8:0] gap_11_group_low;
+    reg [8:0] gap_11_group_high;
+    wire [9:0] gap_11_difference;
     reg [9:0] difference_0_d;
     wire [9:0] difference_0_q;
     reg difference_0_clock;
@@ -5205,6 +5483,24 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
     reg [9:0] difference_5_d;
     wire [9:0] difference_5_q;
     reg difference_5_clock;
+    reg [9:0] difference_6_d;
+    wire [9:0] difference_6_q;
+    reg difference_6_clock;
+    reg [9:0] difference_7_d;
+    wire [9:0] difference_7_q;
+    reg difference_7_clock;
+    reg [9:0] difference_8_d;
+    wire [9:0] difference_8_q;
+    reg difference_8_clock;
+    reg [9:0] difference_9_d;
+    wire [9:0] difference_9_q;
+    reg difference_9_clock;
+    reg [9:0] difference_10_d;
+    wire [9:0] difference_10_q;
+    reg difference_10_clock;
+    reg [9:0] difference_11_d;
+    wire [9:0] difference_11_q;
+    reg difference_11_clock;
     reg product_0_clock;
     reg [9:0] product_0_difference;
     wire [13:0] product_0_square;
@@ -5229,6 +5525,30 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
     reg [9:0] product_5_difference;
     wire [13:0] product_5_square;
     wire product_5_far;
+    reg product_6_clock;
+    reg [9:0] product_6_difference;
+    wire [13:0] product_6_square;
+    wire product_6_far;
+    reg product_7_clock;
+    reg [9:0] product_7_difference;
+    wire [13:0] product_7_square;
+    wire product_7_far;
+    reg product_8_clock;
+    reg [9:0] product_8_difference;
+    wire [13:0] product_8_square;
+    wire product_8_far;
+    reg product_9_clock;
+    reg [9:0] product_9_difference;
+    wire [13:0] product_9_square;
+    wire product_9_far;
+    reg product_10_clock;
+    reg [9:0] product_10_difference;
+    wire [13:0] product_10_square;
+    wire product_10_far;
+    reg product_11_clock;
+    reg [9:0] product_11_difference;
+    wire [13:0] product_11_square;
+    wire product_11_far;
     reg [13:0] square_stage_0_d;
     wire [13:0] square_stage_0_q;
     reg square_stage_0_clock;
@@ -5247,6 +5567,24 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
     reg [13:0] square_stage_5_d;
     wire [13:0] square_stage_5_q;
     reg square_stage_5_clock;
+    reg [13:0] square_stage_6_d;
+    wire [13:0] square_stage_6_q;
+    reg square_stage_6_clock;
+    reg [13:0] square_stage_7_d;
+    wire [13:0] square_stage_7_q;
+    reg square_stage_7_clock;
+    reg [13:0] square_stage_8_d;
+    wire [13:0] square_stage_8_q;
+    reg square_stage_8_clock;
+    reg [13:0] square_stage_9_d;
+    wire [13:0] square_stage_9_q;
+    reg square_stage_9_clock;
+    reg [13:0] square_stage_10_d;
+    wire [13:0] square_stage_10_q;
+    reg square_stage_10_clock;
+    reg [13:0] square_stage_11_d;
+    wire [13:0] square_stage_11_q;
+    reg square_stage_11_clock;
     reg far_stage_0_d;
     wire far_stage_0_q;
     reg far_stage_0_clock;
@@ -5265,6 +5603,24 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
     reg far_stage_5_d;
     wire far_stage_5_q;
     reg far_stage_5_clock;
+    reg far_stage_6_d;
+    wire far_stage_6_q;
+    reg far_stage_6_clock;
+    reg far_stage_7_d;
+    wire far_stage_7_q;
+    reg far_stage_7_clock;
+    reg far_stage_8_d;
+    wire far_stage_8_q;
+    reg far_stage_8_clock;
+    reg far_stage_9_d;
+    wire far_stage_9_q;
+    reg far_stage_9_clock;
+    reg far_stage_10_d;
+    wire far_stage_10_q;
+    reg far_stage_10_clock;
+    reg far_stage_11_d;
+    wire far_stage_11_q;
+    reg far_stage_11_clock;
     reg lane_0_clock;
     reg [13:0] lane_0_axis_square_0;
     reg [13:0] lane_0_axis_square_1;
@@ -5281,48 +5637,106 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
     reg lane_1_axis_far_1;
     reg lane_1_axis_far_2;
     wire lane_1_photon_in_range;
+    reg lane_2_clock;
+    reg [13:0] lane_2_axis_square_0;
+    reg [13:0] lane_2_axis_square_1;
+    reg [13:0] lane_2_axis_square_2;
+    reg lane_2_axis_far_0;
+    reg lane_2_axis_far_1;
+    reg lane_2_axis_far_2;
+    wire lane_2_photon_in_range;
+    reg lane_3_clock;
+    reg [13:0] lane_3_axis_square_0;
+    reg [13:0] lane_3_axis_square_1;
+    reg [13:0] lane_3_axis_square_2;
+    reg lane_3_axis_far_0;
+    reg lane_3_axis_far_1;
+    reg lane_3_axis_far_2;
+    wire lane_3_photon_in_range;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_gap gap_0(
         .query_low(gap_0_query_low),
         .query_high(gap_0_query_high),
-        .leaf_low(gap_0_leaf_low),
-        .leaf_high(gap_0_leaf_high),
+        .group_low(gap_0_group_low),
+        .group_high(gap_0_group_high),
         .difference(gap_0_difference)
     );
     photoncube_leaf_5_local7_rgb6d_n64_gap gap_1(
         .query_low(gap_1_query_low),
         .query_high(gap_1_query_high),
-        .leaf_low(gap_1_leaf_low),
-        .leaf_high(gap_1_leaf_high),
+        .group_low(gap_1_group_low),
+        .group_high(gap_1_group_high),
         .difference(gap_1_difference)
     );
     photoncube_leaf_5_local7_rgb6d_n64_gap gap_2(
         .query_low(gap_2_query_low),
         .query_high(gap_2_query_high),
-        .leaf_low(gap_2_leaf_low),
-        .leaf_high(gap_2_leaf_high),
+        .group_low(gap_2_group_low),
+        .group_high(gap_2_group_high),
         .difference(gap_2_difference)
     );
     photoncube_leaf_5_local7_rgb6d_n64_gap gap_3(
         .query_low(gap_3_query_low),
         .query_high(gap_3_query_high),
-        .leaf_low(gap_3_leaf_low),
-        .leaf_high(gap_3_leaf_high),
+        .group_low(gap_3_group_low),
+        .group_high(gap_3_group_high),
         .difference(gap_3_difference)
     );
     photoncube_leaf_5_local7_rgb6d_n64_gap gap_4(
         .query_low(gap_4_query_low),
         .query_high(gap_4_query_high),
-        .leaf_low(gap_4_leaf_low),
-        .leaf_high(gap_4_leaf_high),
+        .group_low(gap_4_group_low),
+        .group_high(gap_4_group_high),
         .difference(gap_4_difference)
     );
     photoncube_leaf_5_local7_rgb6d_n64_gap gap_5(
         .query_low(gap_5_query_low),
         .query_high(gap_5_query_high),
-        .leaf_low(gap_5_leaf_low),
-        .leaf_high(gap_5_leaf_high),
+        .group_low(gap_5_group_low),
+        .group_high(gap_5_group_high),
         .difference(gap_5_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_gap gap_6(
+        .query_low(gap_6_query_low),
+        .query_high(gap_6_query_high),
+        .group_low(gap_6_group_low),
+        .group_high(gap_6_group_high),
+        .difference(gap_6_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_gap gap_7(
+        .query_low(gap_7_query_low),
+        .query_high(gap_7_query_high),
+        .group_low(gap_7_group_low),
+        .group_high(gap_7_group_high),
+        .difference(gap_7_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_gap gap_8(
+        .query_low(gap_8_query_low),
+        .query_high(gap_8_query_high),
+        .group_low(gap_8_group_low),
+        .group_high(gap_8_group_high),
+        .difference(gap_8_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_gap gap_9(
+        .query_low(gap_9_query_low),
+        .query_high(gap_9_query_high),
+        .group_low(gap_9_group_low),
+        .group_high(gap_9_group_high),
+        .difference(gap_9_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_gap gap_10(
+        .query_low(gap_10_query_low),
+        .query_high(gap_10_query_high),
+        .group_low(gap_10_group_low),
+        .group_high(gap_10_group_high),
+        .difference(gap_10_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_gap gap_11(
+        .query_low(gap_11_query_low),
+        .query_high(gap_11_query_high),
+        .group_low(gap_11_group_low),
+        .group_high(gap_11_group_high),
+        .difference(gap_11_difference)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_0(
         .d(difference_0_d),
@@ -5353,6 +5767,36 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         .d(difference_5_d),
         .q(difference_5_q),
         .clock(difference_5_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_6(
+        .d(difference_6_d),
+        .q(difference_6_q),
+        .clock(difference_6_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_7(
+        .d(difference_7_d),
+        .q(difference_7_q),
+        .clock(difference_7_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_8(
+        .d(difference_8_d),
+        .q(difference_8_q),
+        .clock(difference_8_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_9(
+        .d(difference_9_d),
+        .q(difference_9_q),
+        .clock(difference_9_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_10(
+        .d(difference_10_d),
+        .q(difference_10_q),
+        .clock(difference_10_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_11(
+        .d(difference_11_d),
+        .q(difference_11_q),
+        .clock(difference_11_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_product product_0(
         .clock(product_0_clock),
@@ -5390,6 +5834,42 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         .square(product_5_square),
         .far(product_5_far)
     );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_6(
+        .clock(product_6_clock),
+        .difference(product_6_difference),
+        .square(product_6_square),
+        .far(product_6_far)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_7(
+        .clock(product_7_clock),
+        .difference(product_7_difference),
+        .square(product_7_square),
+        .far(product_7_far)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_8(
+        .clock(product_8_clock),
+        .difference(product_8_difference),
+        .square(product_8_square),
+        .far(product_8_far)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_9(
+        .clock(product_9_clock),
+        .difference(product_9_difference),
+        .square(product_9_square),
+        .far(product_9_far)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_10(
+        .clock(product_10_clock),
+        .difference(product_10_difference),
+        .square(product_10_square),
+        .far(product_10_far)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_11(
+        .clock(product_11_clock),
+        .difference(product_11_difference),
+        .square(product_11_square),
+        .far(product_11_far)
+    );
     photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_0(
         .d(square_stage_0_d),
         .q(square_stage_0_q),
@@ -5419,6 +5899,36 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         .d(square_stage_5_d),
         .q(square_stage_5_q),
         .clock(square_stage_5_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_6(
+        .d(square_stage_6_d),
+        .q(square_stage_6_q),
+        .clock(square_stage_6_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_7(
+        .d(square_stage_7_d),
+        .q(square_stage_7_q),
+        .clock(square_stage_7_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_8(
+        .d(square_stage_8_d),
+        .q(square_stage_8_q),
+        .clock(square_stage_8_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_9(
+        .d(square_stage_9_d),
+        .q(square_stage_9_q),
+        .clock(square_stage_9_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_10(
+        .d(square_stage_10_d),
+        .q(square_stage_10_q),
+        .clock(square_stage_10_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_11(
+        .d(square_stage_11_d),
+        .q(square_stage_11_q),
+        .clock(square_stage_11_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_0(
         .d(far_stage_0_d),
@@ -5450,6 +5960,36 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         .q(far_stage_5_q),
         .clock(far_stage_5_clock)
     );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_6(
+        .d(far_stage_6_d),
+        .q(far_stage_6_q),
+        .clock(far_stage_6_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_7(
+        .d(far_stage_7_d),
+        .q(far_stage_7_q),
+        .clock(far_stage_7_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_8(
+        .d(far_stage_8_d),
+        .q(far_stage_8_q),
+        .clock(far_stage_8_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_9(
+        .d(far_stage_9_d),
+        .q(far_stage_9_q),
+        .clock(far_stage_9_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_10(
+        .d(far_stage_10_d),
+        .q(far_stage_10_q),
+        .clock(far_stage_10_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_11(
+        .d(far_stage_11_d),
+        .q(far_stage_11_q),
+        .clock(far_stage_11_clock)
+    );
     photoncube_leaf_5_local7_rgb6d_n64_lane lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
@@ -5470,12 +6010,32 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
+    photoncube_leaf_5_local7_rgb6d_n64_lane lane_2(
+        .clock(lane_2_clock),
+        .axis_square_0(lane_2_axis_square_0),
+        .axis_square_1(lane_2_axis_square_1),
+        .axis_square_2(lane_2_axis_square_2),
+        .axis_far_0(lane_2_axis_far_0),
+        .axis_far_1(lane_2_axis_far_1),
+        .axis_far_2(lane_2_axis_far_2),
+        .photon_in_range(lane_2_photon_in_range)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_lane lane_3(
+        .clock(lane_3_clock),
+        .axis_square_0(lane_3_axis_square_0),
+        .axis_square_1(lane_3_axis_square_1),
+        .axis_square_2(lane_3_axis_square_2),
+        .axis_far_0(lane_3_axis_far_0),
+        .axis_far_1(lane_3_axis_far_1),
+        .axis_far_2(lane_3_axis_far_2),
+        .photon_in_range(lane_3_photon_in_range)
+    );
     // Update code
     always @(*) begin
         gap_0_query_low = query_low_0;
         gap_0_query_high = query_high_0;
-        gap_0_leaf_low = leaf_low_0;
-        gap_0_leaf_high = leaf_high_0;
+        gap_0_group_low = group_low_0;
+        gap_0_group_high = group_high_0;
         difference_0_clock = clock;
         difference_0_d = gap_0_difference;
         square_stage_0_clock = clock;
@@ -5484,8 +6044,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         lane_0_axis_far_0 = far_stage_0_q;
         gap_1_query_low = query_low_1;
         gap_1_query_high = query_high_1;
-        gap_1_leaf_low = leaf_low_1;
-        gap_1_leaf_high = leaf_high_1;
+        gap_1_group_low = group_low_1;
+        gap_1_group_high = group_high_1;
         difference_1_clock = clock;
         difference_1_d = gap_1_difference;
         square_stage_1_clock = clock;
@@ -5494,8 +6054,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         lane_0_axis_far_1 = far_stage_1_q;
         gap_2_query_low = query_low_2;
         gap_2_query_high = query_high_2;
-        gap_2_leaf_low = leaf_low_2;
-        gap_2_leaf_high = leaf_high_2;
+        gap_2_group_low = group_low_2;
+        gap_2_group_high = group_high_2;
         difference_2_clock = clock;
         difference_2_d = gap_2_difference;
         square_stage_2_clock = clock;
@@ -5504,8 +6064,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         lane_0_axis_far_2 = far_stage_2_q;
         gap_3_query_low = query_low_0;
         gap_3_query_high = query_high_0;
-        gap_3_leaf_low = leaf_low_3;
-        gap_3_leaf_high = leaf_high_3;
+        gap_3_group_low = group_low_3;
+        gap_3_group_high = group_high_3;
         difference_3_clock = clock;
         difference_3_d = gap_3_difference;
         square_stage_3_clock = clock;
@@ -5514,8 +6074,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         lane_1_axis_far_0 = far_stage_3_q;
         gap_4_query_low = query_low_1;
         gap_4_query_high = query_high_1;
-        gap_4_leaf_low = leaf_low_4;
-        gap_4_leaf_high = leaf_high_4;
+        gap_4_group_low = group_low_4;
+        gap_4_group_high = group_high_4;
         difference_4_clock = clock;
         difference_4_d = gap_4_difference;
         square_stage_4_clock = clock;
@@ -5524,14 +6084,74 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         lane_1_axis_far_1 = far_stage_4_q;
         gap_5_query_low = query_low_2;
         gap_5_query_high = query_high_2;
-        gap_5_leaf_low = leaf_low_5;
-        gap_5_leaf_high = leaf_high_5;
+        gap_5_group_low = group_low_5;
+        gap_5_group_high = group_high_5;
         difference_5_clock = clock;
         difference_5_d = gap_5_difference;
         square_stage_5_clock = clock;
         far_stage_5_clock = clock;
         lane_1_axis_square_2 = square_stage_5_q;
         lane_1_axis_far_2 = far_stage_5_q;
+        gap_6_query_low = query_low_0;
+        gap_6_query_high = query_high_0;
+        gap_6_group_low = group_low_6;
+        gap_6_group_high = group_high_6;
+        difference_6_clock = clock;
+        difference_6_d = gap_6_difference;
+        square_stage_6_clock = clock;
+        far_stage_6_clock = clock;
+        lane_2_axis_square_0 = square_stage_6_q;
+        lane_2_axis_far_0 = far_stage_6_q;
+        gap_7_query_low = query_low_1;
+        gap_7_query_high = query_high_1;
+        gap_7_group_low = group_low_7;
+        gap_7_group_high = group_high_7;
+        difference_7_clock = clock;
+        difference_7_d = gap_7_difference;
+        square_stage_7_clock = clock;
+        far_stage_7_clock = clock;
+        lane_2_axis_square_1 = square_stage_7_q;
+        lane_2_axis_far_1 = far_stage_7_q;
+        gap_8_query_low = query_low_2;
+        gap_8_query_high = query_high_2;
+        gap_8_group_low = group_low_8;
+        gap_8_group_high = group_high_8;
+        difference_8_clock = clock;
+        difference_8_d = gap_8_difference;
+        square_stage_8_clock = clock;
+        far_stage_8_clock = clock;
+        lane_2_axis_square_2 = square_stage_8_q;
+        lane_2_axis_far_2 = far_stage_8_q;
+        gap_9_query_low = query_low_0;
+        gap_9_query_high = query_high_0;
+        gap_9_group_low = group_low_9;
+        gap_9_group_high = group_high_9;
+        difference_9_clock = clock;
+        difference_9_d = gap_9_difference;
+        square_stage_9_clock = clock;
+        far_stage_9_clock = clock;
+        lane_3_axis_square_0 = square_stage_9_q;
+        lane_3_axis_far_0 = far_stage_9_q;
+        gap_10_query_low = query_low_1;
+        gap_10_query_high = query_high_1;
+        gap_10_group_low = group_low_10;
+        gap_10_group_high = group_high_10;
+        difference_10_clock = clock;
+        difference_10_d = gap_10_difference;
+        square_stage_10_clock = clock;
+        far_stage_10_clock = clock;
+        lane_3_axis_square_1 = square_stage_10_q;
+        lane_3_axis_far_1 = far_stage_10_q;
+        gap_11_query_low = query_low_2;
+        gap_11_query_high = query_high_2;
+        gap_11_group_low = group_low_11;
+        gap_11_group_high = group_high_11;
+        difference_11_clock = clock;
+        difference_11_d = gap_11_difference;
+        square_stage_11_clock = clock;
+        far_stage_11_clock = clock;
+        lane_3_axis_square_2 = square_stage_11_q;
+        lane_3_axis_far_2 = far_stage_11_q;
         product_0_clock = clock;
         product_0_difference = difference_0_q;
         square_stage_0_d = product_0_square;
@@ -5556,10 +6176,38 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         product_5_difference = difference_5_q;
         square_stage_5_d = product_5_square;
         far_stage_5_d = product_5_far;
+        product_6_clock = clock;
+        product_6_difference = difference_6_q;
+        square_stage_6_d = product_6_square;
+        far_stage_6_d = product_6_far;
+        product_7_clock = clock;
+        product_7_difference = difference_7_q;
+        square_stage_7_d = product_7_square;
+        far_stage_7_d = product_7_far;
+        product_8_clock = clock;
+        product_8_difference = difference_8_q;
+        square_stage_8_d = product_8_square;
+        far_stage_8_d = product_8_far;
+        product_9_clock = clock;
+        product_9_difference = difference_9_q;
+        square_stage_9_d = product_9_square;
+        far_stage_9_d = product_9_far;
+        product_10_clock = clock;
+        product_10_difference = difference_10_q;
+        square_stage_10_d = product_10_square;
+        far_stage_10_d = product_10_far;
+        product_11_clock = clock;
+        product_11_difference = difference_11_q;
+        square_stage_11_d = product_11_square;
+        far_stage_11_d = product_11_far;
         lane_0_clock = clock;
         in_range_0 = lane_0_photon_in_range;
         lane_1_clock = clock;
         in_range_1 = lane_1_photon_in_range;
+        lane_2_clock = clock;
+        in_range_2 = lane_2_photon_in_range;
+        lane_3_clock = clock;
+        in_range_3 = lane_3_photon_in_range;
     end
 endmodule
 
@@ -5805,8 +6453,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_gathers(clock, facings, facing_0, faci
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, write_bank, write_place,
-    write_last, write_facing, frees, freed_bank, comes, first, box_valid_out, box_bank_out,
-    box_leaf_out, box_short_out, box_facing_out, full_0_out, full_1_out, end_0_out, end_1_out);
+    write_last, write_facing, frees, freed_bank, comes, first_comes, box_valid_out, box_bank_out,
+    box_leaf_out, box_short_out_0, box_short_out_1, box_facing_out_0, box_facing_out_1,
+    full_0_out, full_1_out, end_0_out, end_1_out);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -5818,12 +6467,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
     input wire frees;
     input wire freed_bank;
     output reg comes;
-    output reg first;
+    output reg first_comes;
     output reg box_valid_out;
     output reg box_bank_out;
     output reg [2:0] box_leaf_out;
-    output reg box_short_out;
-    output reg [4:0] box_facing_out;
+    output reg box_short_out_0;
+    output reg box_short_out_1;
+    output reg [4:0] box_facing_out_0;
+    output reg [4:0] box_facing_out_1;
     output reg full_0_out;
     output reg full_1_out;
     output reg [2:0] end_0_out;
@@ -5871,12 +6522,18 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
     reg box_last_d;
     wire box_last_q;
     reg box_last_clock;
-    reg box_short_d;
-    wire box_short_q;
-    reg box_short_clock;
-    reg [4:0] box_facing_d;
-    wire [4:0] box_facing_q;
-    reg box_facing_clock;
+    reg box_short_0_d;
+    wire box_short_0_q;
+    reg box_short_0_clock;
+    reg box_short_1_d;
+    wire box_short_1_q;
+    reg box_short_1_clock;
+    reg [4:0] box_facing_0_d;
+    wire [4:0] box_facing_0_q;
+    reg box_facing_0_clock;
+    reg [4:0] box_facing_1_d;
+    wire [4:0] box_facing_1_q;
+    reg box_facing_1_clock;
     reg full_0_d;
     wire full_0_q;
     reg full_0_clock;
@@ -5891,6 +6548,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
     reg end_1_clock;
     // Local signals
     reg is_second;
+    reg is_of_second;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_1 half_valid(
         .d(half_valid_d),
@@ -5962,15 +6620,25 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
         .q(box_last_q),
         .clock(box_last_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_1 box_short(
-        .d(box_short_d),
-        .q(box_short_q),
-        .clock(box_short_clock)
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 box_short_0(
+        .d(box_short_0_d),
+        .q(box_short_0_q),
+        .clock(box_short_0_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_5 box_facing(
-        .d(box_facing_d),
-        .q(box_facing_q),
-        .clock(box_facing_clock)
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 box_short_1(
+        .d(box_short_1_d),
+        .q(box_short_1_q),
+        .clock(box_short_1_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_5 box_facing_0(
+        .d(box_facing_0_d),
+        .q(box_facing_0_q),
+        .clock(box_facing_0_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_5 box_facing_1(
+        .d(box_facing_1_d),
+        .q(box_facing_1_q),
+        .clock(box_facing_1_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_1 full_0(
         .d(full_0_d),
@@ -6008,8 +6676,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
         box_bank_clock = clock;
         box_leaf_clock = clock;
         box_last_clock = clock;
-        box_short_clock = clock;
-        box_facing_clock = clock;
+        box_short_0_clock = clock;
+        box_short_1_clock = clock;
+        box_facing_0_clock = clock;
+        box_facing_1_clock = clock;
         full_0_clock = clock;
         full_1_clock = clock;
         end_0_clock = clock;
@@ -6028,8 +6698,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
         box_bank_d = box_bank_q;
         box_leaf_d = box_leaf_q;
         box_last_d = box_last_q;
-        box_short_d = box_short_q;
-        box_facing_d = box_facing_q;
+        box_short_0_d = box_short_0_q;
+        box_short_1_d = box_short_1_q;
+        box_facing_0_d = box_facing_0_q;
+        box_facing_1_d = box_facing_1_q;
         full_0_d = full_0_q;
         full_1_d = full_1_q;
         end_0_d = end_0_q;
@@ -6045,14 +6717,21 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
         group_last_d = half_last_q;
         group_facing_d = half_facing_q;
         is_second = group_place_q[32'h0];
+        is_of_second = group_place_q[32'h1];
         comes = group_valid_q;
-        first = ~is_second;
+        first_comes = group_valid_q & ~is_second;
         box_valid_d = group_valid_q & (is_second | group_last_q);
         box_bank_d = group_bank_q;
         box_leaf_d = group_place_q[(32'h1)+:(3)];
         box_last_d = group_last_q;
-        box_short_d = ~is_second;
-        box_facing_d = group_facing_q;
+        if (group_valid_q) begin
+            box_short_1_d = ~is_second;
+            box_facing_1_d = group_facing_q;
+        end
+        if (group_valid_q & ~is_of_second) begin
+            box_short_0_d = ~is_second;
+            box_facing_0_d = group_facing_q;
+        end
         if (box_valid_q & box_last_q) begin
             if (box_bank_q) begin
                 full_1_d = 1'b1;
@@ -6081,8 +6760,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
         box_valid_out = box_valid_q;
         box_bank_out = box_bank_q;
         box_leaf_out = box_leaf_q;
-        box_short_out = box_short_q;
-        box_facing_out = box_facing_q;
+        box_short_out_0 = box_short_0_q;
+        box_short_out_1 = box_short_1_q;
+        box_facing_out_0 = box_facing_0_q;
+        box_facing_out_1 = box_facing_1_q;
         full_0_out = full_0_q;
         full_1_out = full_1_q;
         end_0_out = end_0_q;
@@ -6091,8 +6772,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_control(clock, reset, write_valid, wri
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, present_2, present_3, x_0, x_1,
-    x_2, x_3, y_0, y_1, y_2, y_3, z_0, z_1, z_2, z_3, comes, first, low_0, low_1, low_2, high_0,
-    high_1, high_2);
+    x_2, x_3, y_0, y_1, y_2, y_3, z_0, z_1, z_2, z_3, comes, first_comes, low_0, low_1, low_2,
+    low_3, low_4, low_5, high_0, high_1, high_2, high_3, high_4, high_5);
     // Module arguments
     input wire clock;
     input wire present_0;
@@ -6112,13 +6793,19 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
     input wire [8:0] z_2;
     input wire [8:0] z_3;
     input wire comes;
-    input wire first;
+    input wire first_comes;
     output reg [8:0] low_0;
     output reg [8:0] low_1;
     output reg [8:0] low_2;
+    output reg [8:0] low_3;
+    output reg [8:0] low_4;
+    output reg [8:0] low_5;
     output reg [8:0] high_0;
     output reg [8:0] high_1;
     output reg [8:0] high_2;
+    output reg [8:0] high_3;
+    output reg [8:0] high_4;
+    output reg [8:0] high_5;
     // Stub signals
     reg half_0_present_a;
     reg half_0_present_b;
@@ -6228,27 +6915,54 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
     reg [8:0] group_high_2_d;
     wire [8:0] group_high_2_q;
     reg group_high_2_clock;
-    reg border_0_clock;
-    reg border_0_comes;
-    reg border_0_first;
-    reg [8:0] border_0_low_in;
-    reg [8:0] border_0_high_in;
-    wire [8:0] border_0_low_out;
-    wire [8:0] border_0_high_out;
-    reg border_1_clock;
-    reg border_1_comes;
-    reg border_1_first;
-    reg [8:0] border_1_low_in;
-    reg [8:0] border_1_high_in;
-    wire [8:0] border_1_low_out;
-    wire [8:0] border_1_high_out;
-    reg border_2_clock;
-    reg border_2_comes;
-    reg border_2_first;
-    reg [8:0] border_2_low_in;
-    reg [8:0] border_2_high_in;
-    wire [8:0] border_2_low_out;
-    wire [8:0] border_2_high_out;
+    reg held_low_0_clock;
+    reg held_low_0_takes;
+    reg [8:0] held_low_0_d;
+    wire [8:0] held_low_0_q;
+    reg held_low_1_clock;
+    reg held_low_1_takes;
+    reg [8:0] held_low_1_d;
+    wire [8:0] held_low_1_q;
+    reg held_low_2_clock;
+    reg held_low_2_takes;
+    reg [8:0] held_low_2_d;
+    wire [8:0] held_low_2_q;
+    reg held_low_3_clock;
+    reg held_low_3_takes;
+    reg [8:0] held_low_3_d;
+    wire [8:0] held_low_3_q;
+    reg held_low_4_clock;
+    reg held_low_4_takes;
+    reg [8:0] held_low_4_d;
+    wire [8:0] held_low_4_q;
+    reg held_low_5_clock;
+    reg held_low_5_takes;
+    reg [8:0] held_low_5_d;
+    wire [8:0] held_low_5_q;
+    reg held_high_0_clock;
+    reg held_high_0_takes;
+    reg [8:0] held_high_0_d;
+    wire [8:0] held_high_0_q;
+    reg held_high_1_clock;
+    reg held_high_1_takes;
+    reg [8:0] held_high_1_d;
+    wire [8:0] held_high_1_q;
+    reg held_high_2_clock;
+    reg held_high_2_takes;
+    reg [8:0] held_high_2_d;
+    wire [8:0] held_high_2_q;
+    reg held_high_3_clock;
+    reg held_high_3_takes;
+    reg [8:0] held_high_3_d;
+    wire [8:0] held_high_3_q;
+    reg held_high_4_clock;
+    reg held_high_4_takes;
+    reg [8:0] held_high_4_d;
+    wire [8:0] held_high_4_q;
+    reg held_high_5_clock;
+    reg held_high_5_takes;
+    reg [8:0] held_high_5_d;
+    wire [8:0] held_high_5_q;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_half half_0(
         .present_a(half_0_present_a),
@@ -6412,32 +7126,77 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
         .q(group_high_2_q),
         .clock(group_high_2_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_border border_0(
-        .clock(border_0_clock),
-        .comes(border_0_comes),
-        .first(border_0_first),
-        .low_in(border_0_low_in),
-        .high_in(border_0_high_in),
-        .low_out(border_0_low_out),
-        .high_out(border_0_high_out)
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_low_0(
+        .clock(held_low_0_clock),
+        .takes(held_low_0_takes),
+        .d(held_low_0_d),
+        .q(held_low_0_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_border border_1(
-        .clock(border_1_clock),
-        .comes(border_1_comes),
-        .first(border_1_first),
-        .low_in(border_1_low_in),
-        .high_in(border_1_high_in),
-        .low_out(border_1_low_out),
-        .high_out(border_1_high_out)
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_low_1(
+        .clock(held_low_1_clock),
+        .takes(held_low_1_takes),
+        .d(held_low_1_d),
+        .q(held_low_1_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_border border_2(
-        .clock(border_2_clock),
-        .comes(border_2_comes),
-        .first(border_2_first),
-        .low_in(border_2_low_in),
-        .high_in(border_2_high_in),
-        .low_out(border_2_low_out),
-        .high_out(border_2_high_out)
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_low_2(
+        .clock(held_low_2_clock),
+        .takes(held_low_2_takes),
+        .d(held_low_2_d),
+        .q(held_low_2_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_low_3(
+        .clock(held_low_3_clock),
+        .takes(held_low_3_takes),
+        .d(held_low_3_d),
+        .q(held_low_3_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_low_4(
+        .clock(held_low_4_clock),
+        .takes(held_low_4_takes),
+        .d(held_low_4_d),
+        .q(held_low_4_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_low_5(
+        .clock(held_low_5_clock),
+        .takes(held_low_5_takes),
+        .d(held_low_5_d),
+        .q(held_low_5_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_high_0(
+        .clock(held_high_0_clock),
+        .takes(held_high_0_takes),
+        .d(held_high_0_d),
+        .q(held_high_0_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_high_1(
+        .clock(held_high_1_clock),
+        .takes(held_high_1_takes),
+        .d(held_high_1_d),
+        .q(held_high_1_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_high_2(
+        .clock(held_high_2_clock),
+        .takes(held_high_2_takes),
+        .d(held_high_2_d),
+        .q(held_high_2_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_high_3(
+        .clock(held_high_3_clock),
+        .takes(held_high_3_takes),
+        .d(held_high_3_d),
+        .q(held_high_3_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_high_4(
+        .clock(held_high_4_clock),
+        .takes(held_high_4_takes),
+        .d(held_high_4_d),
+        .q(held_high_4_q)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_held_high held_high_5(
+        .clock(held_high_5_clock),
+        .takes(held_high_5_takes),
+        .d(held_high_5_d),
+        .q(held_high_5_q)
     );
     // Update code
     always @(*) begin
@@ -6497,13 +7256,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
         group_low_0_d = both_0_low;
         group_high_0_clock = clock;
         group_high_0_d = both_0_high;
-        border_0_clock = clock;
-        border_0_comes = comes;
-        border_0_first = first;
-        border_0_low_in = group_low_0_q;
-        border_0_high_in = group_high_0_q;
-        low_0 = border_0_low_out;
-        high_0 = border_0_high_out;
+        held_low_0_takes = first_comes;
+        held_high_0_takes = first_comes;
+        held_low_3_takes = comes;
+        held_high_3_takes = comes;
         both_1_low_a = half_low_1_q;
         both_1_low_b = half_low_4_q;
         both_1_high_a = half_high_1_q;
@@ -6512,13 +7268,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
         group_low_1_d = both_1_low;
         group_high_1_clock = clock;
         group_high_1_d = both_1_high;
-        border_1_clock = clock;
-        border_1_comes = comes;
-        border_1_first = first;
-        border_1_low_in = group_low_1_q;
-        border_1_high_in = group_high_1_q;
-        low_1 = border_1_low_out;
-        high_1 = border_1_high_out;
+        held_low_1_takes = first_comes;
+        held_high_1_takes = first_comes;
+        held_low_4_takes = comes;
+        held_high_4_takes = comes;
         both_2_low_a = half_low_2_q;
         both_2_low_b = half_low_5_q;
         both_2_high_a = half_high_2_q;
@@ -6527,31 +7280,74 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
         group_low_2_d = both_2_low;
         group_high_2_clock = clock;
         group_high_2_d = both_2_high;
-        border_2_clock = clock;
-        border_2_comes = comes;
-        border_2_first = first;
-        border_2_low_in = group_low_2_q;
-        border_2_high_in = group_high_2_q;
-        low_2 = border_2_low_out;
-        high_2 = border_2_high_out;
+        held_low_2_takes = first_comes;
+        held_high_2_takes = first_comes;
+        held_low_5_takes = comes;
+        held_high_5_takes = comes;
+        held_low_0_clock = clock;
+        held_low_0_d = group_low_0_q;
+        held_high_0_clock = clock;
+        held_high_0_d = group_high_0_q;
+        low_0 = held_low_0_q;
+        high_0 = held_high_0_q;
+        held_low_1_clock = clock;
+        held_low_1_d = group_low_1_q;
+        held_high_1_clock = clock;
+        held_high_1_d = group_high_1_q;
+        low_1 = held_low_1_q;
+        high_1 = held_high_1_q;
+        held_low_2_clock = clock;
+        held_low_2_d = group_low_2_q;
+        held_high_2_clock = clock;
+        held_high_2_d = group_high_2_q;
+        low_2 = held_low_2_q;
+        high_2 = held_high_2_q;
+        held_low_3_clock = clock;
+        held_low_3_d = group_low_0_q;
+        held_high_3_clock = clock;
+        held_high_3_d = group_high_0_q;
+        low_3 = held_low_3_q;
+        high_3 = held_high_3_q;
+        held_low_4_clock = clock;
+        held_low_4_d = group_low_1_q;
+        held_high_4_clock = clock;
+        held_high_4_d = group_high_1_q;
+        low_4 = held_low_4_q;
+        high_4 = held_high_4_q;
+        held_low_5_clock = clock;
+        held_low_5_d = group_low_2_q;
+        held_high_5_clock = clock;
+        held_high_5_d = group_high_2_q;
+        low_5 = held_low_5_q;
+        high_5 = held_high_5_q;
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_box_words(clock, low_0, low_1, low_2, high_0, high_1, high_2, facing,
-    short, write, write_bank, write_leaf, read, read_bank, read_pair, found_low_0, found_low_1,
-    found_low_2, found_low_3, found_low_4, found_low_5, found_high_0, found_high_1, found_high_2,
-    found_high_3, found_high_4, found_high_5, found_facing_0, found_facing_1, found_short_0,
-    found_short_1);
+module photoncube_leaf_5_local7_rgb6d_n64_box_words(clock, low_0, low_1, low_2, low_3, low_4, low_5, high_0,
+    high_1, high_2, high_3, high_4, high_5, facing_0, facing_1, short_0, short_1, write,
+    write_bank, write_leaf, read, read_bank, read_pair, found_low_0, found_low_1, found_low_2,
+    found_low_3, found_low_4, found_low_5, found_low_6, found_low_7, found_low_8, found_low_9,
+    found_low_10, found_low_11, found_high_0, found_high_1, found_high_2, found_high_3,
+    found_high_4, found_high_5, found_high_6, found_high_7, found_high_8, found_high_9,
+    found_high_10, found_high_11, found_facing_0, found_facing_1, found_short_0, found_short_1);
     // Module arguments
     input wire clock;
     input wire [8:0] low_0;
     input wire [8:0] low_1;
     input wire [8:0] low_2;
+    input wire [8:0] low_3;
+    input wire [8:0] low_4;
+    input wire [8:0] low_5;
     input wire [8:0] high_0;
     input wire [8:0] high_1;
     input wire [8:0] high_2;
-    input wire [4:0] facing;
-    input wire short;
+    input wire [8:0] high_3;
+    input wire [8:0] high_4;
+    input wire [8:0] high_5;
+    input wire [4:0] facing_0;
+    input wire [4:0] facing_1;
+    input wire short_0;
+    input wire short_1;
     input wire write;
     input wire write_bank;
     input wire [2:0] write_leaf;
@@ -6564,24 +7360,40 @@ module photoncube_leaf_5_local7_rgb6d_n64_box_words(clock, low_0, low_1, low_2, 
     output reg [8:0] found_low_3;
     output reg [8:0] found_low_4;
     output reg [8:0] found_low_5;
+    output reg [8:0] found_low_6;
+    output reg [8:0] found_low_7;
+    output reg [8:0] found_low_8;
+    output reg [8:0] found_low_9;
+    output reg [8:0] found_low_10;
+    output reg [8:0] found_low_11;
     output reg [8:0] found_high_0;
     output reg [8:0] found_high_1;
     output reg [8:0] found_high_2;
     output reg [8:0] found_high_3;
     output reg [8:0] found_high_4;
     output reg [8:0] found_high_5;
+    output reg [8:0] found_high_6;
+    output reg [8:0] found_high_7;
+    output reg [8:0] found_high_8;
+    output reg [8:0] found_high_9;
+    output reg [8:0] found_high_10;
+    output reg [8:0] found_high_11;
     output reg [4:0] found_facing_0;
     output reg [4:0] found_facing_1;
     output reg found_short_0;
     output reg found_short_1;
     // Update code (custom)
-    (* no_rw_check *) reg [59:0] boxes_0 [0:7];
-    reg [59:0] look_0 = 60'd0;
-    reg [59:0] found_0 = 60'd0;
-    (* no_rw_check *) reg [59:0] boxes_1 [0:7];
-    reg [59:0] look_1 = 60'd0;
-    reg [59:0] found_1 = 60'd0;
-    wire [59:0] box = {short, facing, high_2, high_1, high_0, low_2, low_1, low_0};
+    (* no_rw_check *) reg [107:0] boxes_0 [0:7];
+    reg [107:0] look_0 = 108'd0;
+    reg [107:0] found_0 = 108'd0;
+    (* no_rw_check *) reg [107:0] boxes_1 [0:7];
+    reg [107:0] look_1 = 108'd0;
+    reg [107:0] found_1 = 108'd0;
+    (* no_rw_check *) reg [11:0] notes [0:7];
+    reg [11:0] look_2 = 12'd0;
+    reg [11:0] found_2 = 12'd0;
+    wire [107:0] box = {high_5, high_4, high_3, high_2, high_1, high_0, low_5, low_4, low_3, low_2, low_1, low_0};
+    wire [11:0] note = {short_1, short_0, facing_1, facing_0};
     wire [2:0] write_address = {write_bank, write_leaf[2:1]};
     wire [2:0] read_address = {read_bank, read_pair};
     always @(posedge clock) begin
@@ -6591,6 +7403,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_box_words(clock, low_0, low_1, low_2, 
       if (read) look_1 <= boxes_1[read_address];
       found_1 <= look_1;
       if (write) boxes_1[write_address] <= box;
+      if (read) look_2 <= notes[read_address];
+      found_2 <= look_2;
+      if (write) notes[write_address] <= note;
     end
     wire [8:0] of_look_low_0 = look_0[8:0];
     wire [8:0] of_found_low_0 = found_0[8:0];
@@ -6601,44 +7416,80 @@ module photoncube_leaf_5_local7_rgb6d_n64_box_words(clock, low_0, low_1, low_2, 
     wire [8:0] of_look_low_2 = look_0[26:18];
     wire [8:0] of_found_low_2 = found_0[26:18];
     always @(*) found_low_2 = of_found_low_2;
-    wire [8:0] of_look_high_0 = look_0[35:27];
-    wire [8:0] of_found_high_0 = found_0[35:27];
-    always @(*) found_high_0 = of_found_high_0;
-    wire [8:0] of_look_high_1 = look_0[44:36];
-    wire [8:0] of_found_high_1 = found_0[44:36];
-    always @(*) found_high_1 = of_found_high_1;
-    wire [8:0] of_look_high_2 = look_0[53:45];
-    wire [8:0] of_found_high_2 = found_0[53:45];
-    always @(*) found_high_2 = of_found_high_2;
-    wire [4:0] of_look_facing_0 = look_0[58:54];
-    wire [4:0] of_found_facing_0 = found_0[58:54];
-    always @(*) found_facing_0 = of_found_facing_0;
-    wire [0:0] of_look_short_0 = look_0[59:59];
-    wire [0:0] of_found_short_0 = found_0[59:59];
-    always @(*) found_short_0 = of_found_short_0;
-    wire [8:0] of_look_low_3 = look_1[8:0];
-    wire [8:0] of_found_low_3 = found_1[8:0];
+    wire [8:0] of_look_low_3 = look_0[35:27];
+    wire [8:0] of_found_low_3 = found_0[35:27];
     always @(*) found_low_3 = of_found_low_3;
-    wire [8:0] of_look_low_4 = look_1[17:9];
-    wire [8:0] of_found_low_4 = found_1[17:9];
+    wire [8:0] of_look_low_4 = look_0[44:36];
+    wire [8:0] of_found_low_4 = found_0[44:36];
     always @(*) found_low_4 = of_found_low_4;
-    wire [8:0] of_look_low_5 = look_1[26:18];
-    wire [8:0] of_found_low_5 = found_1[26:18];
+    wire [8:0] of_look_low_5 = look_0[53:45];
+    wire [8:0] of_found_low_5 = found_0[53:45];
     always @(*) found_low_5 = of_found_low_5;
-    wire [8:0] of_look_high_3 = look_1[35:27];
-    wire [8:0] of_found_high_3 = found_1[35:27];
+    wire [8:0] of_look_high_0 = look_0[62:54];
+    wire [8:0] of_found_high_0 = found_0[62:54];
+    always @(*) found_high_0 = of_found_high_0;
+    wire [8:0] of_look_high_1 = look_0[71:63];
+    wire [8:0] of_found_high_1 = found_0[71:63];
+    always @(*) found_high_1 = of_found_high_1;
+    wire [8:0] of_look_high_2 = look_0[80:72];
+    wire [8:0] of_found_high_2 = found_0[80:72];
+    always @(*) found_high_2 = of_found_high_2;
+    wire [8:0] of_look_high_3 = look_0[89:81];
+    wire [8:0] of_found_high_3 = found_0[89:81];
     always @(*) found_high_3 = of_found_high_3;
-    wire [8:0] of_look_high_4 = look_1[44:36];
-    wire [8:0] of_found_high_4 = found_1[44:36];
+    wire [8:0] of_look_high_4 = look_0[98:90];
+    wire [8:0] of_found_high_4 = found_0[98:90];
     always @(*) found_high_4 = of_found_high_4;
-    wire [8:0] of_look_high_5 = look_1[53:45];
-    wire [8:0] of_found_high_5 = found_1[53:45];
+    wire [8:0] of_look_high_5 = look_0[107:99];
+    wire [8:0] of_found_high_5 = found_0[107:99];
     always @(*) found_high_5 = of_found_high_5;
-    wire [4:0] of_look_facing_1 = look_1[58:54];
-    wire [4:0] of_found_facing_1 = found_1[58:54];
+    wire [8:0] of_look_low_6 = look_1[8:0];
+    wire [8:0] of_found_low_6 = found_1[8:0];
+    always @(*) found_low_6 = of_found_low_6;
+    wire [8:0] of_look_low_7 = look_1[17:9];
+    wire [8:0] of_found_low_7 = found_1[17:9];
+    always @(*) found_low_7 = of_found_low_7;
+    wire [8:0] of_look_low_8 = look_1[26:18];
+    wire [8:0] of_found_low_8 = found_1[26:18];
+    always @(*) found_low_8 = of_found_low_8;
+    wire [8:0] of_look_low_9 = look_1[35:27];
+    wire [8:0] of_found_low_9 = found_1[35:27];
+    always @(*) found_low_9 = of_found_low_9;
+    wire [8:0] of_look_low_10 = look_1[44:36];
+    wire [8:0] of_found_low_10 = found_1[44:36];
+    always @(*) found_low_10 = of_found_low_10;
+    wire [8:0] of_look_low_11 = look_1[53:45];
+    wire [8:0] of_found_low_11 = found_1[53:45];
+    always @(*) found_low_11 = of_found_low_11;
+    wire [8:0] of_look_high_6 = look_1[62:54];
+    wire [8:0] of_found_high_6 = found_1[62:54];
+    always @(*) found_high_6 = of_found_high_6;
+    wire [8:0] of_look_high_7 = look_1[71:63];
+    wire [8:0] of_found_high_7 = found_1[71:63];
+    always @(*) found_high_7 = of_found_high_7;
+    wire [8:0] of_look_high_8 = look_1[80:72];
+    wire [8:0] of_found_high_8 = found_1[80:72];
+    always @(*) found_high_8 = of_found_high_8;
+    wire [8:0] of_look_high_9 = look_1[89:81];
+    wire [8:0] of_found_high_9 = found_1[89:81];
+    always @(*) found_high_9 = of_found_high_9;
+    wire [8:0] of_look_high_10 = look_1[98:90];
+    wire [8:0] of_found_high_10 = found_1[98:90];
+    always @(*) found_high_10 = of_found_high_10;
+    wire [8:0] of_look_high_11 = look_1[107:99];
+    wire [8:0] of_found_high_11 = found_1[107:99];
+    always @(*) found_high_11 = of_found_high_11;
+    wire [4:0] of_look_facing_0 = look_2[4:0];
+    wire [4:0] of_found_facing_0 = found_2[4:0];
+    always @(*) found_facing_0 = of_found_facing_0;
+    wire [4:0] of_look_facing_1 = look_2[9:5];
+    wire [4:0] of_found_facing_1 = found_2[9:5];
     always @(*) found_facing_1 = of_found_facing_1;
-    wire [0:0] of_look_short_1 = look_1[59:59];
-    wire [0:0] of_found_short_1 = found_1[59:59];
+    wire [0:0] of_look_short_0 = look_2[10:10];
+    wire [0:0] of_found_short_0 = found_2[10:10];
+    always @(*) found_short_0 = of_found_short_0;
+    wire [0:0] of_look_short_1 = look_2[11:11];
+    wire [0:0] of_found_short_1 = found_2[11:11];
     always @(*) found_short_1 = of_found_short_1;
 endmodule
 
@@ -7398,30 +8249,17 @@ module photoncube_leaf_5_local7_rgb6d_n64_head(clock, reset, query_valid, query_
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_scan_high(clock, takes, d, q);
+module photoncube_leaf_5_local7_rgb6d_n64_register_19(d, q, clock);
     // Module arguments
+    input wire [18:0] d;
+    output reg [18:0] q;
     input wire clock;
-    input wire takes;
-    input wire [8:0] d;
-    output reg [8:0] q;
-    // Stub signals
-    reg [8:0] held_d;
-    wire [8:0] held_q;
-    reg held_clock;
-    // Sub module instances
-    photoncube_leaf_5_local7_rgb6d_n64_register_9 held(
-        .d(held_d),
-        .q(held_q),
-        .clock(held_clock)
-    );
-    // Update code
-    always @(*) begin
-        held_clock = clock;
-        held_d = held_q;
-        if (takes) begin
-            held_d = d;
-        end
-        q = held_q;
+    // Update code (custom)
+    initial begin
+       q = 19'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
     end
 endmodule
 
@@ -7677,12 +8515,27 @@ module photoncube_leaf_5_local7_rgb6d_n64_tag_ram(clock, write, write_place, wri
     always @(posedge clock) if (write) words[write_place] <= write_word;
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_gap(query_low, query_high, leaf_low, leaf_high, difference);
+module photoncube_leaf_5_local7_rgb6d_n64_token_place(fills, query, filler, token);
+    // Module arguments
+    input wire fills;
+    input wire [8:0] query;
+    input wire [8:0] filler;
+    output reg [8:0] token;
+    // Update code
+    always @(*) begin
+        token = query;
+        if (fills) begin
+            token = filler;
+        end
+    end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_gap(query_low, query_high, group_low, group_high, difference);
     // Module arguments
     input wire [8:0] query_low;
     input wire [8:0] query_high;
-    input wire [8:0] leaf_low;
-    input wire [8:0] leaf_high;
+    input wire [8:0] group_low;
+    input wire [8:0] group_high;
     output reg [9:0] difference;
     // Stub signals
     reg [8:0] subtract_0_a;
@@ -7713,27 +8566,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_gap(query_low, query_high, leaf_low, l
     // Update code
     always @(*) begin
         subtract_0_a = query_high;
-        subtract_0_b = leaf_low;
+        subtract_0_b = group_low;
         subtract_1_a = query_low;
-        subtract_1_b = leaf_high;
+        subtract_1_b = group_high;
         nearest_above = subtract_0_difference;
         nearest_below = subtract_1_difference;
         difference = nearest_difference;
-    end
-endmodule
-
-module photoncube_leaf_5_local7_rgb6d_n64_token_place(fills, query, filler, token);
-    // Module arguments
-    input wire fills;
-    input wire [8:0] query;
-    input wire [8:0] filler;
-    output reg [8:0] token;
-    // Update code
-    always @(*) begin
-        token = query;
-        if (fills) begin
-            token = filler;
-        end
     end
 endmodule
 
@@ -7803,6 +8641,55 @@ module photoncube_leaf_5_local7_rgb6d_n64_flag_ram(clock, write, write_place, wr
     wire [2:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_query_border(clock, comes, first, low_in, high_in, low_out, high_out);
+    // Module arguments
+    input wire clock;
+    input wire comes;
+    input wire first;
+    input wire [8:0] low_in;
+    input wire [8:0] high_in;
+    output reg [8:0] low_out;
+    output reg [8:0] high_out;
+    // Stub signals
+    reg [8:0] low_d;
+    wire [8:0] low_q;
+    reg low_clock;
+    reg [8:0] high_d;
+    wire [8:0] high_q;
+    reg high_clock;
+    // Local signals
+    reg is_lower;
+    reg is_higher;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 low(
+        .d(low_d),
+        .q(low_q),
+        .clock(low_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 high(
+        .d(high_d),
+        .q(high_q),
+        .clock(high_clock)
+    );
+    // Update code
+    always @(*) begin
+        low_clock = clock;
+        high_clock = clock;
+        low_d = low_q;
+        high_d = high_q;
+        is_lower = low_in < low_q;
+        is_higher = high_in > high_q;
+        if (comes & (first | is_lower)) begin
+            low_d = low_in;
+        end
+        if (comes & (first | is_higher)) begin
+            high_d = high_in;
+        end
+        low_out = low_q;
+        high_out = high_q;
+    end
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_leaf(clock, facings, facing, is_there, gathered);
@@ -8328,7 +9215,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_engine_2(clock, reset_in, token_valid_
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_lane lane_0(
+    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -8338,7 +9225,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_engine_2(clock, reset_in, token_valid_
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_lane lane_1(
+    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -8348,7 +9235,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_engine_2(clock, reset_in, token_valid_
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_lane lane_2(
+    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -8358,7 +9245,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_engine_2(clock, reset_in, token_valid_
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_lane lane_3(
+    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -9566,55 +10453,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue(clock, reset, result_valid_in, r
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_border(clock, comes, first, low_in, high_in, low_out, high_out);
-    // Module arguments
-    input wire clock;
-    input wire comes;
-    input wire first;
-    input wire [8:0] low_in;
-    input wire [8:0] high_in;
-    output reg [8:0] low_out;
-    output reg [8:0] high_out;
-    // Stub signals
-    reg [8:0] low_d;
-    wire [8:0] low_q;
-    reg low_clock;
-    reg [8:0] high_d;
-    wire [8:0] high_q;
-    reg high_clock;
-    // Local signals
-    reg is_lower;
-    reg is_higher;
-    // Sub module instances
-    photoncube_leaf_5_local7_rgb6d_n64_register_9 low(
-        .d(low_d),
-        .q(low_q),
-        .clock(low_clock)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_register_9 high(
-        .d(high_d),
-        .q(high_q),
-        .clock(high_clock)
-    );
-    // Update code
-    always @(*) begin
-        low_clock = clock;
-        high_clock = clock;
-        low_d = low_q;
-        high_d = high_q;
-        is_lower = low_in < low_q;
-        is_higher = high_in > high_q;
-        if (comes & (first | is_lower)) begin
-            low_d = low_in;
-        end
-        if (comes & (first | is_higher)) begin
-            high_d = high_in;
-        end
-        low_out = low_q;
-        high_out = high_q;
-    end
-endmodule
-
 module photoncube_leaf_5_local7_rgb6d_n64_register_32(d, q, clock);
     // Module arguments
     input wire [31:0] d;
@@ -9643,27 +10481,30 @@ module photoncube_leaf_5_local7_rgb6d_n64_register_4(d, q, clock);
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_nearest(above, below, difference);
+module photoncube_leaf_5_local7_rgb6d_n64_held_high(clock, takes, d, q);
     // Module arguments
-    input wire [9:0] above;
-    input wire [9:0] below;
-    output reg [9:0] difference;
-    // Constant declarations
-    localparam negative = 10'b1000000000;
-    // Local signals
-    reg is_above;
-    reg is_not_below;
+    input wire clock;
+    input wire takes;
+    input wire [8:0] d;
+    output reg [8:0] q;
+    // Stub signals
+    reg [8:0] held_d;
+    wire [8:0] held_q;
+    reg held_clock;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 held(
+        .d(held_d),
+        .q(held_q),
+        .clock(held_clock)
+    );
     // Update code
     always @(*) begin
-        is_above = above >= negative;
-        is_not_below = below >= negative;
-        difference = below;
-        if (is_not_below) begin
-            difference = 32'h0;
+        held_clock = clock;
+        held_d = held_q;
+        if (takes) begin
+            held_d = d;
         end
-        if (is_above) begin
-            difference = above;
-        end
+        q = held_q;
     end
 endmodule
 
@@ -9703,48 +10544,25 @@ module photoncube_leaf_5_local7_rgb6d_n64_admission(clock, reset, query_valid, g
     // Update code (custom)
     reg [1:0] loaded = 2'd0;
     reg open = 1'd0;
-    reg has_batch = 1'd0;
-    reg [1:0] spacing = 2'd0;
-    reg waits = 1'd0;
-    reg gives_back = 1'd0;
-    reg [7:0] promised = 8'd0;
     wire full = loaded[1];
-    wire fills = query_valid & (&loaded[0:0]);
-    wire room = ~promised[7];
-    wire fits = ~waits & room;
-    wire admits_group = has_batch & (~group_last | fits);
-    wire takes_group = group_valid & admits_group;
-    wire takes_first = group_valid & full & ~open & (~group_last | fits);
-    wire takes_last = group_valid & has_batch & group_last & fits;
+    wire takes_first = group_valid & ~open;
+    wire takes_last = group_valid & group_last;
     wire admits_query = ~full | takes_first;
-    wire takes_query = query_valid & admits_query;
     always @(*) query_ready = admits_query;
-    always @(*) group_ready = admits_group;
-    always @(*) taken = takes_group;
+    always @(*) group_ready = 1'd1;
+    always @(*) taken = group_valid;
     always @(*) first_taken = takes_first;
     always @(*) last_taken = takes_last;
-    always @(*) token_valid = takes_query & ~reset;
+    always @(*) token_valid = query_valid & admits_query & ~reset;
     always @(*) is_full = full;
-    always @(*) has_room = room;
-    always @(*) clocks_to_last = {14'd0, spacing};
+    always @(*) has_room = 1'd1;
+    always @(*) clocks_to_last = 16'd0;
     always @(posedge clock) begin
       loaded <= takes_first ? {1'd0, query_valid} : loaded + {1'd0, query_valid & ~full};
-      open <= (takes_group & ~group_last) | (open & ~takes_last);
-      has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
-      if (takes_last) spacing <= 2'd2;
-      else if (waits) spacing <= spacing - 2'd1;
-      waits <= takes_last | (|spacing[1:1]);
-      gives_back <= batch_read;
-      if (takes_last != gives_back)
-        promised <= takes_last ? {promised[6:0], 1'd1} : {1'd0, promised[7:1]};
+      if (group_valid) open <= ~group_last;
       if (reset) begin
         loaded <= 2'd0;
         open <= 1'd0;
-        has_batch <= 1'd0;
-        spacing <= 2'd0;
-        waits <= 1'd0;
-        gives_back <= 1'd0;
-        promised <= 8'd0;
       end
     end
 endmodule
@@ -9760,6 +10578,30 @@ module photoncube_leaf_5_local7_rgb6d_n64_register_2(d, q, clock);
     end
     always @(posedge clock) begin
        q <= d;
+    end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_nearest(above, below, difference);
+    // Module arguments
+    input wire [9:0] above;
+    input wire [9:0] below;
+    output reg [9:0] difference;
+    // Constant declarations
+    localparam negative = 10'b1000000000;
+    // Local signals
+    reg is_above;
+    reg is_not_below;
+    // Update code
+    always @(*) begin
+        is_above = above >= negative;
+        is_not_below = below >= negative;
+        difference = below;
+        if (is_not_below) begin
+            difference = 32'h0;
+        end
+        if (is_above) begin
+            difference = above;
+        end
     end
 endmodule
 
@@ -9804,6 +10646,138 @@ module photoncube_leaf_5_local7_rgb6d_n64_presence(clock, taken, photon_present,
         end
         present = is_present_q;
         absent = is_absent_q;
+    end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_lane_2(clock, axis_square_0, axis_square_1, axis_square_2,
+    axis_far_0, axis_far_1, axis_far_2, photon_in_range);
+    // Module arguments
+    input wire clock;
+    input wire [13:0] axis_square_0;
+    input wire [13:0] axis_square_1;
+    input wire [13:0] axis_square_2;
+    input wire axis_far_0;
+    input wire axis_far_1;
+    input wire axis_far_2;
+    output reg photon_in_range;
+    // Stub signals
+    reg any_far_x;
+    reg any_far_y;
+    reg any_far_z;
+    wire any_far_any;
+    reg [13:0] pair_sum_a;
+    reg [13:0] pair_sum_b;
+    wire [14:0] pair_sum_sum;
+    reg [14:0] pair_square_d;
+    wire [14:0] pair_square_q;
+    reg pair_square_clock;
+    reg [13:0] pair_z_d;
+    wire [13:0] pair_z_q;
+    reg pair_z_clock;
+    reg pair_far_d;
+    wire pair_far_q;
+    reg pair_far_clock;
+    reg [14:0] distance_sum_a;
+    reg [13:0] distance_sum_b;
+    wire [15:0] distance_sum_sum;
+    reg [15:0] distance_d;
+    wire [15:0] distance_q;
+    reg distance_clock;
+    reg distance_far_d;
+    wire distance_far_q;
+    reg distance_far_clock;
+    reg [15:0] range_of_format_0_distance;
+    reg range_of_format_0_far;
+    wire range_of_format_0_in_range;
+    reg in_range_d;
+    wire in_range_q;
+    reg in_range_clock;
+    reg range_wait_0_d;
+    wire range_wait_0_q;
+    reg range_wait_0_clock;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_any_far any_far(
+        .x(any_far_x),
+        .y(any_far_y),
+        .z(any_far_z),
+        .any(any_far_any)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_pair_sum pair_sum(
+        .a(pair_sum_a),
+        .b(pair_sum_b),
+        .sum(pair_sum_sum)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_15 pair_square(
+        .d(pair_square_d),
+        .q(pair_square_q),
+        .clock(pair_square_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_14 pair_z(
+        .d(pair_z_d),
+        .q(pair_z_q),
+        .clock(pair_z_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 pair_far(
+        .d(pair_far_d),
+        .q(pair_far_q),
+        .clock(pair_far_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_distance_sum distance_sum(
+        .a(distance_sum_a),
+        .b(distance_sum_b),
+        .sum(distance_sum_sum)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_distance distance(
+        .d(distance_d),
+        .q(distance_q),
+        .clock(distance_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far distance_far(
+        .d(distance_far_d),
+        .q(distance_far_q),
+        .clock(distance_far_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_range_of_format range_of_format_0(
+        .distance(range_of_format_0_distance),
+        .far(range_of_format_0_far),
+        .in_range(range_of_format_0_in_range)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 in_range(
+        .d(in_range_d),
+        .q(in_range_q),
+        .clock(in_range_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 range_wait_0(
+        .d(range_wait_0_d),
+        .q(range_wait_0_q),
+        .clock(range_wait_0_clock)
+    );
+    // Update code
+    always @(*) begin
+        pair_square_clock = clock;
+        pair_z_clock = clock;
+        pair_far_clock = clock;
+        distance_clock = clock;
+        distance_far_clock = clock;
+        in_range_clock = clock;
+        any_far_x = axis_far_0;
+        any_far_y = axis_far_1;
+        any_far_z = axis_far_2;
+        pair_sum_a = axis_square_0;
+        pair_sum_b = axis_square_1;
+        pair_square_d = pair_sum_sum;
+        pair_z_d = axis_square_2;
+        pair_far_d = any_far_any;
+        distance_sum_a = pair_square_q;
+        distance_sum_b = pair_z_q;
+        distance_d = distance_sum_sum;
+        distance_far_d = pair_far_q;
+        range_of_format_0_distance = distance_q;
+        range_of_format_0_far = distance_far_q;
+        in_range_d = range_of_format_0_in_range;
+        range_wait_0_clock = clock;
+        range_wait_0_d = in_range_q;
+        photon_in_range = range_wait_0_q;
     end
 endmodule
 
@@ -9952,6 +10926,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_first_delay(clock, clear, flag, delaye
     reg stage_3_clear;
     reg stage_3_d;
     wire stage_3_q;
+    reg stage_4_clock;
+    reg stage_4_clear;
+    reg stage_4_d;
+    wire stage_4_q;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_group_first stage_0(
         .clock(stage_0_clock),
@@ -9977,12 +10955,19 @@ module photoncube_leaf_5_local7_rgb6d_n64_first_delay(clock, clear, flag, delaye
         .d(stage_3_d),
         .q(stage_3_q)
     );
+    photoncube_leaf_5_local7_rgb6d_n64_group_first stage_4(
+        .clock(stage_4_clock),
+        .clear(stage_4_clear),
+        .d(stage_4_d),
+        .q(stage_4_q)
+    );
     // Update code
     always @(*) begin
         stage_0_d = flag;
         stage_1_d = stage_0_q;
         stage_2_d = stage_1_q;
         stage_3_d = stage_2_q;
+        stage_4_d = stage_3_q;
         stage_0_clock = clock;
         stage_0_clear = clear;
         stage_1_clock = clock;
@@ -9991,7 +10976,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_first_delay(clock, clear, flag, delaye
         stage_2_clear = clear;
         stage_3_clock = clock;
         stage_3_clear = clear;
-        delayed = stage_3_q;
+        stage_4_clock = clock;
+        stage_4_clear = clear;
+        delayed = stage_4_q;
     end
 endmodule
 
@@ -10259,6 +11246,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_power_delay(clock, word, delayed);
     reg [5:0] stage_2_d;
     wire [5:0] stage_2_q;
     reg stage_2_clock;
+    reg [5:0] stage_3_d;
+    wire [5:0] stage_3_q;
+    reg stage_3_clock;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_6 stage_0(
         .d(stage_0_d),
@@ -10275,6 +11265,11 @@ module photoncube_leaf_5_local7_rgb6d_n64_power_delay(clock, word, delayed);
         .q(stage_2_q),
         .clock(stage_2_clock)
     );
+    photoncube_leaf_5_local7_rgb6d_n64_register_6 stage_3(
+        .d(stage_3_d),
+        .q(stage_3_q),
+        .clock(stage_3_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -10283,7 +11278,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_power_delay(clock, word, delayed);
         stage_1_d = stage_0_q;
         stage_2_clock = clock;
         stage_2_d = stage_1_q;
-        delayed = stage_2_q;
+        stage_3_clock = clock;
+        stage_3_d = stage_2_q;
+        delayed = stage_3_q;
     end
 endmodule
 
@@ -10302,6 +11299,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_present_delay(clock, word, delayed);
     reg stage_2_d;
     wire stage_2_q;
     reg stage_2_clock;
+    reg stage_3_d;
+    wire stage_3_q;
+    reg stage_3_clock;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_0(
         .d(stage_0_d),
@@ -10318,6 +11318,11 @@ module photoncube_leaf_5_local7_rgb6d_n64_present_delay(clock, word, delayed);
         .q(stage_2_q),
         .clock(stage_2_clock)
     );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_3(
+        .d(stage_3_d),
+        .q(stage_3_q),
+        .clock(stage_3_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -10326,7 +11331,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_present_delay(clock, word, delayed);
         stage_1_d = stage_0_q;
         stage_2_clock = clock;
         stage_2_d = stage_1_q;
-        delayed = stage_2_q;
+        stage_3_clock = clock;
+        stage_3_d = stage_2_q;
+        delayed = stage_3_q;
     end
 endmodule
 
@@ -10764,12 +11771,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_square_pair(clock, query, photon_a, ph
         .b(subtract_1_b),
         .difference(subtract_1_difference)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay difference_0(
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_0(
         .d(difference_0_d),
         .q(difference_0_q),
         .clock(difference_0_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay difference_1(
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_1(
         .d(difference_1_d),
         .q(difference_1_q),
         .clock(difference_1_clock)

@@ -75,7 +75,9 @@ class Watch:
         self.before: Counter[str] = Counter()
         # The address of a read that was taken in the clock before.
         self.reading: int | None = None
-        # The counts before the edge at which the last read was answered.
+        # That of a read whose answer was found in the clock before.
+        self.found: int | None = None
+        # The counts before the edge at which the answer to the last read was found.
         self.read_counts: Counter[str] = Counter()
         # Beats that moved on each stream since the start, through all resets.
         self.beats: Counter[str] = Counter()
@@ -111,6 +113,7 @@ class Watch:
         self.received.clear()
         self.restarts = False
         self.reading = None
+        self.found = None
         self.silent = 0
 
     def clock(self) -> None:
@@ -186,12 +189,14 @@ class Watch:
         return Counter(results=1, photons_in_range=photons)
 
     def lite(self, counts: Counter[str]) -> None:
-        """The accesses that are taken. Counters and commands take effect behind the edge. A read is answered a clock later."""
+        """The accesses that are taken. Counters and commands take effect behind the edge. The answer to a read is found a clock later, and
+        given in the clock behind that."""
         clears = False
         if self.reading is not None:
             self.read_counts = self.counts.copy()
-            if self.reading not in self.readable:
-                counts["accesses_refused"] += 1
+        if self.found is not None and self.found not in self.readable:
+            counts["accesses_refused"] += 1
+        self.found = self.reading
         reads = self.pin("s_axi_arvalid") and self.pin("s_axi_arready")
         self.reading = self.pin("s_axi_araddr") & ~3 if reads else None
         writes = self.pin("s_axi_awvalid") and self.pin("s_axi_awready")

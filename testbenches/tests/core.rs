@@ -34,8 +34,8 @@ fn the_rounds_of_single_queries_equal_their_model() {
 #[test]
 fn faults_in_each_module_of_a_core_are_found() {
     for (machine, faults) in [
-        ("leaf-5-local7-rgb6d-n64", 12),
-        ("leaf-5-radii-local7-rgb6d-n64", 21),
+        ("leaf-5-local7-rgb6d-n64", 13),
+        ("leaf-5-radii-local7-rgb6d-n64", 22),
     ] {
         let controls = core_controls(&core(3, machine), DeviceKind::Text, 1).unwrap();
         assert_eq!(controls.len(), faults);

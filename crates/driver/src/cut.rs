@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use photoncube_spec::Core;
 
-use crate::cull::wanted;
+use crate::cull::{WantedLeaf, wanted};
 use crate::forecast::Forecaster;
 use crate::frames::{PhotonLeaf, Set, SetBatch};
 
@@ -29,15 +29,15 @@ pub(crate) struct Cutter {
 /// Batches of a frame, and which of the frame's leaves each wants.
 struct Wanted {
     leaves: usize,
-    of_batch: Vec<Vec<usize>>,
+    of_batch: Vec<Vec<WantedLeaf>>,
 }
 
 impl Wanted {
     /// The leaves that some of these batches want, in the order of the frame.
     fn by(&self, batches: &Range<usize>) -> Vec<usize> {
         let mut is_wanted = vec![false; self.leaves];
-        for &leaf in self.of_batch[batches.clone()].iter().flatten() {
-            is_wanted[leaf] = true;
+        for leaf in self.of_batch[batches.clone()].iter().flatten() {
+            is_wanted[leaf.index] = true;
         }
         (0..self.leaves).filter(|&leaf| is_wanted[leaf]).collect()
     }
@@ -71,7 +71,7 @@ impl Cutter {
         let mut all = Vec::new();
         for part in self.cut(&wanted, 0..batches.len()) {
             for chunk in wanted.by(&part).chunks(self.set_leaves) {
-                let is_in = |leaf: &usize| chunk.binary_search(leaf).is_ok();
+                let is_in = |leaf: &WantedLeaf| chunk.binary_search(&leaf.index).is_ok();
                 let gathers = |batch: &usize| wanted.of_batch[*batch].iter().any(is_in);
                 let gathering = part.clone().filter(gathers);
                 all.push(Set {
@@ -105,9 +105,10 @@ impl Cutter {
     fn clocks(&self, wanted: &Wanted, batches: &Range<usize>) -> u64 {
         let leaves = wanted.by(batches).len();
         let sets = leaves.div_ceil(self.set_leaves).max(1);
-        let clocks = |wanted: &Vec<usize>| {
+        let clocks = |wanted: &Vec<WantedLeaf>| {
+            let groups: usize = wanted.iter().map(|leaf| leaf.groups).sum();
             self.forecaster
-                .batch(wanted.len().div_ceil(sets), leaves.div_ceil(sets))
+                .batch(groups.div_ceil(sets), leaves.div_ceil(sets))
         };
         let all: u64 = wanted.of_batch[batches.clone()].iter().map(clocks).sum();
         self.forecaster.set(sets as u64 * all, leaves)
@@ -183,20 +184,23 @@ mod tests {
             let wanted = wanted(format, &set.leaves, &set.batches);
             for (place, leaf) in set.leaves.iter().enumerate() {
                 assert!(
-                    wanted.iter().any(|wanted| wanted.contains(&place)),
+                    wanted.iter().flatten().any(|wanted| wanted.index == place),
                     "{leaf:?}"
                 );
             }
             for (batch, wanted) in set.batches.iter().zip(wanted) {
                 pairs += wanted.len();
                 let number = batches.iter().position(|other| other == batch).unwrap();
-                found[number].extend(wanted.iter().map(|&leaf| set.leaves[leaf].clone()));
+                found[number].extend(wanted.iter().map(|leaf| set.leaves[leaf.index].clone()));
             }
         }
         assert!(pairs > batches.len());
         for (batch, found) in batches.iter().zip(found) {
             let wanted = wanted(format, &leaves, std::slice::from_ref(batch));
-            let expected: Vec<_> = wanted[0].iter().map(|&leaf| leaves[leaf].clone()).collect();
+            let expected: Vec<_> = wanted[0]
+                .iter()
+                .map(|leaf| leaves[leaf.index].clone())
+                .collect();
             assert_eq!(found, expected);
         }
     }

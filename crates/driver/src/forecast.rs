@@ -1,13 +1,13 @@
 //! A forecast of the clocks that a core takes.
 //!
-//! A batch takes the longer of two: comparing the boxes of all leaves of its set, [`Leaf::PAIR`] a clock, and playing the leaves
-//! that are wanted, a group a clock. A chain has two banks: while it works on a set it reads in the next, a group a clock. The
+//! A batch takes the longer of two: comparing the boxes of all leaves of its set, [`Leaf::PAIR`] leaves a clock, and playing the groups
+//! that are wanted, one a clock. A chain has two banks: while it works on a set it reads in the next, a group a clock. The
 //! stream of photons has a leaf a clock for all chains, and the stream of queries a query.
 
 use photoncube_render::{QuantisedMap, QueryPoint};
 use photoncube_spec::{Core, Leaf, LeafSizes, PhotonFormat};
 
-use crate::cull::wanted;
+use crate::cull::{WantedLeaf, wanted};
 use crate::frames::{FramePlan, Set};
 
 /// Clocks between two batches of a chain beside those of its work, about.
@@ -174,13 +174,16 @@ impl Forecaster {
     /// The clocks of each batch of a set.
     pub(crate) fn batches(&self, set: &Set) -> Vec<u64> {
         let wanted = wanted(self.format, &set.leaves, &set.batches);
-        let clocks = |wanted: &Vec<usize>| self.batch(wanted.len(), set.leaves.len());
+        let clocks = |wanted: &Vec<WantedLeaf>| {
+            let groups = wanted.iter().map(|leaf| leaf.groups).sum();
+            self.batch(groups, set.leaves.len())
+        };
         wanted.iter().map(clocks).collect()
     }
 
-    /// The clocks of a batch that wants so many leaves of a set of so many.
-    pub(crate) fn batch(&self, wanted: usize, leaves: usize) -> u64 {
-        let played = (wanted * Leaf::GROUPS) as u64;
+    /// The clocks of a batch that wants so many groups of a set of so many leaves.
+    pub(crate) fn batch(&self, groups: usize, leaves: usize) -> u64 {
+        let played = groups as u64;
         let compared = leaves.div_ceil(Leaf::PAIR) as u64;
         self.rounds * (played.max(compared).max(self.least) + BATCH_CLOCKS)
     }

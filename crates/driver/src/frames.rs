@@ -6,7 +6,7 @@ use std::ops::Range;
 use photoncube_render::{
     Batch, BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together,
 };
-use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query, QueryRounds};
+use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query, QueryRounds, Spatial};
 
 use crate::cut::Cutter;
 
@@ -262,14 +262,17 @@ fn facings_with(set: usize) -> u32 {
     has.map(|facing| 1 << facing).sum()
 }
 
-/// Puts photons of one facing into leaves of photons that are close together.
+/// Puts photons of one facing into leaves of photons that are close together, as are those of each of their groups.
 fn in_leaves(facing: usize, photons: &[Photon]) -> Vec<PhotonLeaf> {
     let mut order: Vec<_> = (0..photons.len() as u32).collect();
     let place = |index: u32| photons[index as usize].position.map(i64::from);
     close_together(&mut order, Core::LEAF_PHOTONS, &place);
-    let leaf = |chunk: &[u32]| PhotonLeaf {
-        facing: facing as u32,
-        photons: chunk.iter().map(|&index| photons[index as usize]).collect(),
+    let leaf = |chunk: &mut [u32]| {
+        close_together(chunk, Spatial::LANES, &place);
+        PhotonLeaf {
+            facing: facing as u32,
+            photons: chunk.iter().map(|&index| photons[index as usize]).collect(),
+        }
     };
-    order.chunks(Core::LEAF_PHOTONS).map(leaf).collect()
+    order.chunks_mut(Core::LEAF_PHOTONS).map(leaf).collect()
 }

@@ -26,8 +26,7 @@ use crate::leaf::Leaf;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
 use crate::spatial::pipelines::{
-    DIGITS, FINE, FINE_DECISIONS, FINE_TABLE, LEAF, LEAF_LATE_PRODUCT, LEAF_PRODUCT, PRODUCT,
-    SHALLOW,
+    DIGITS, FINE, FINE_DECISIONS, FINE_TABLE, LEAF, LEAF_PRODUCT, LEAF_TABLE, PRODUCT, SHALLOW,
 };
 use crate::spatial::{Cuts, EngineKind, Radius, Spatial, SpatialError};
 
@@ -192,8 +191,8 @@ impl CustomOrganisation {
                 let deep = if is_product { PRODUCT.cuts } else { DIGITS };
                 (Radius::Format, pipeline.cuts(deep), NO_OTHERS)
             }
-            Self::Leaf { radius, .. } if is_product => (radius, LEAF_LATE_PRODUCT.cuts, NO_OTHERS),
-            Self::Leaf { dimension, radius } => (radius, LEAF, leaf_products(dimension)),
+            Self::Leaf { radius, .. } if is_product => (radius, LEAF_PRODUCT.cuts, NO_OTHERS),
+            Self::Leaf { dimension, radius } => (radius, LEAF, leaf_blocks(dimension, format)),
         };
         let chain = Spatial {
             query_axes: self.dimension() - Hypercube::MIN_DIMENSION,
@@ -201,11 +200,12 @@ impl CustomOrganisation {
             cuts,
             others,
             memory_groups: 0,
+            paced: matches!(self, Self::Leaf { .. }),
         };
         match self {
             Self::Leaf { .. } => Organisation::Leaf(Leaf {
                 chain,
-                culler: LEAF_LATE_PRODUCT,
+                culler: LEAF_PRODUCT,
                 bank_groups: Leaf::groups_for(format.max_photons),
             }),
             _ => Organisation::Spatial(chain),
@@ -242,16 +242,20 @@ impl Pipeline {
 
 const NO_OTHERS: &[(EngineKind, usize)] = &[];
 
-/// The engines of a leaf machine whose squares are products: one of eight, and one of fewer. With the comparison of boxes, a chain of
-/// eight engines then has 18 DSP blocks, so an ECP5 with 156 has them for eight such chains.
-fn leaf_products(dimension: u32) -> &'static [(EngineKind, usize)] {
-    match dimension - Hypercube::MIN_DIMENSION {
-        0 => NO_OTHERS,
-        1..=3 => &[(LEAF_PRODUCT, 1)],
-        4 => &[(LEAF_PRODUCT, 2)],
-        5 => &[(LEAF_PRODUCT, 4)],
-        _ => &[(LEAF_PRODUCT, 8)],
-    }
+/// The most bits per radius for which the table of a difference's squares fits one block RAM: with 8 a difference has 11 bits.
+const RADIUS_BITS_OF_TABLES: u32 = 7;
+
+/// The engines of a leaf machine whose squares come from DSP blocks and from block RAMs: of 8 engines one each. An LFE5U-85F has
+/// 156 DSP blocks and 208 block RAMs (Lattice, FPGA-DS-02012). With the comparison of boxes, six chains of eight engines have 144
+/// and 204 of these, where a bank holds 4096 photons.
+fn leaf_blocks(dimension: u32, format: &PhotonFormat) -> &'static [(EngineKind, usize)] {
+    let engines: usize = 1 << (dimension - Hypercube::MIN_DIMENSION);
+    let products = if engines > 1 { engines.div_ceil(8) } else { 0 };
+    let tables = match format.radius_bits() <= RADIUS_BITS_OF_TABLES {
+        true if engines > 2 => engines.div_ceil(8),
+        _ => 0,
+    };
+    vec![(LEAF_PRODUCT, products), (LEAF_TABLE, tables)].leak()
 }
 
 /// Engines of a fine pipeline whose squares come from block RAMs and DSP blocks. Of 64 engines these are as many as an LFE5U-85F has blocks for,
@@ -261,8 +265,6 @@ fn fine_blocks(dimension: u32, format: &PhotonFormat) -> &'static [(EngineKind, 
     const TABLES: usize = (208 - 4) / 6;
     const PRODUCTS: usize = 156 / 12;
     const ALL: usize = 1 << (Hypercube::MAX_DIMENSION - Hypercube::MIN_DIMENSION);
-    // With 8 bits a difference has 11, and the table of its squares takes several block RAMs.
-    const RADIUS_BITS_OF_TABLES: u32 = 7;
     let engines = 1 << (dimension - Hypercube::MIN_DIMENSION);
     let tables = match format.radius_bits() <= RADIUS_BITS_OF_TABLES {
         true => engines * TABLES / ALL,

@@ -48,6 +48,7 @@ const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Mac
             cuts: DIGITS,
             others: &[],
             memory_groups: 0,
+            paced: false,
         }),
     }
 }
@@ -200,6 +201,7 @@ pub const MACHINES: &[Machine] = &[
             cuts: FINE,
             others: &[],
             memory_groups: 0,
+            paced: false,
         }),
     },
     Machine {

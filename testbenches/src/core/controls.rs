@@ -14,7 +14,7 @@ type CoreFault = (&'static str, &'static str, &'static str, &'static str);
 const TOP: &str = "";
 
 /// Faults that a verification of a core must find.
-const FAULTS: [CoreFault; 10] = [
+const FAULTS: [CoreFault; 11] = [
     (
         "a leaf within a set has one group where its last four photons are absent",
         "photon_queue",
@@ -54,8 +54,14 @@ const FAULTS: [CoreFault; 10] = [
     (
         "a reset does not empty a queue",
         "queue",
-        "read <= reset ?",
-        "read <= 1'b0 ?",
+        "if (reset) begin",
+        "if (1'b0) begin",
+    ),
+    (
+        "a queue forgets a word that comes as the one before it moves to the front",
+        "queue",
+        "has_word <= in_valid | (has_word",
+        "has_word <= (in_valid & ~reads) | (has_word",
     ),
     (
         "an event that comes while it is cleared is lost",
@@ -66,8 +72,8 @@ const FAULTS: [CoreFault; 10] = [
     (
         "a reset does not forget a read that was refused",
         "registers",
-        "seen_read <= reading & aresetn;",
-        "seen_read <= reading;",
+        "seen_read <= found & aresetn;",
+        "seen_read <= found;",
     ),
     (
         "a restart does not forget the queries under way",

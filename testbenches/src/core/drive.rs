@@ -60,7 +60,9 @@ pub(super) struct Drive<'a> {
     reset_waits: bool,
     /// Clocks until a reset that follows a leaf.
     reset_in: Option<u32>,
-    /// A read of an address without a register was taken in the clock before.
+    /// A read of an address without a register was taken in the clock before, in which its answer is found.
+    read_found: bool,
+    /// The answer to such a read was found in the clock before: in this clock it is answered.
     read_refused: bool,
     /// No words are drawn until no query is under way; then other rounds are.
     drains: bool,
@@ -120,6 +122,7 @@ impl<'a> Drive<'a> {
             reset_before: false,
             reset_waits: false,
             reset_in: None,
+            read_found: false,
             read_refused: false,
             drains: false,
             settings: VecDeque::new(),
@@ -400,7 +403,8 @@ impl<'a> Drive<'a> {
         let lite: &mut LiteIn = &mut self.inputs.lite;
         let reads = outputs.read_ready && lite.read_address_valid;
         let is_read = |row: &CoreRegisterRow| row.address == lite.read_address & !3;
-        self.read_refused = reads && !self.rows.iter().any(is_read);
+        let refused = reads && !self.rows.iter().any(is_read);
+        self.read_refused = std::mem::replace(&mut self.read_found, refused);
         if outputs.write_ready {
             lite.write_address_valid = false;
             lite.write_data_valid = false;

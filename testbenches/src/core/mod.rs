@@ -308,7 +308,7 @@ mod tests {
         verify(&emitted).unwrap();
 
         let module = format!("{}_registers", emitted.top);
-        let held = "if (reads_low) counter_high <= counter_high_next;";
+        let held = "if (reading & reads_low) counter_high <= counter_high_next;";
         emitted.text = plant(&emitted.text, &module, held, "").unwrap();
         let found = verify(&emitted);
         let is_found = matches!(found, Err(CoreError::Diverged { .. }));

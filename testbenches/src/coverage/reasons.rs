@@ -178,15 +178,6 @@ const RULES: &[Rule] = &[
     Rule {
         kind: CoverageKind::Toggle,
         holds: |words, _, path, bit| {
-            path == "chain.head.admission.promised"
-                && has_one_engine(words)
-                && leaf_sizes(words).is_some_and(|sizes| bit + 1 >= sizes.most_outstanding)
-        },
-        why: "of the most batches under way, the result of the first is read from its queue before the last group of the last is taken",
-    },
-    Rule {
-        kind: CoverageKind::Toggle,
-        holds: |words, _, path, bit| {
             let counts = ["scan.used", "queue.queue_count"];
             let is_count = counts.iter().any(|count| is_register(path, count));
             (is_count || path == "scan.used_more")

@@ -1,4 +1,4 @@
-//! The properties of leaf machines: the boxes around leaves and batches, the comparison that decides which leaves are
+//! The properties of leaf machines: the boxes around groups and batches, the comparison that decides which groups are
 //! played, and the control blocks from the sets that are read in to the tags of the results. The units and sums of the
 //! chain of engines are those of [`super::spatial`].
 
@@ -9,27 +9,18 @@ use super::spatial::{BIT, Unit, line};
 
 const AXES: usize = 3;
 
-/// All properties. `has_module` returns whether the emitted text has a module.
-pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
+/// All properties.
+pub(super) fn properties(machine: &Machine) -> Vec<Property> {
     let leaf = machine.leaf().expect("it is a leaf machine");
     let widths = Widths::of(machine);
     let sizes = LeafSizes::of(leaf);
     let units = UNITS.iter().map(|unit| unit.property(machine));
     let mut properties: Vec<_> = units.collect();
+    let groups = 0..Leaf::PAIR_GROUPS;
+    properties.extend(groups.map(|group| culler(machine, leaf, &widths, &sizes, group)));
     properties.extend([
         borders(&widths),
-        border("leaves::border", "border", widths.photon),
-    ]);
-    // Where queries have the photons' bits, one module serves both.
-    if has_module("query_border") {
-        properties.push(border(
-            "leaves::query_border",
-            "query_border",
-            widths.coordinate,
-        ));
-    }
-    properties.extend([
-        culler(machine, leaf, &widths, &sizes),
+        query_border(&widths),
         gathers(&sizes),
         fill(&sizes),
         control(&sizes),
@@ -84,7 +75,18 @@ fn borders(widths: &Widths) -> Property {
     Property {
         macros: vec![
             ("H", widths.photon.to_string()),
-            ("LANES", lanes("present", "1") + &axes.concat()),
+            (
+                "BORDERS",
+                ["low", "high"]
+                    .map(|name| slices(name, AXES * Leaf::GROUPS, "`H"))
+                    .concat(),
+            ),
+            (
+                "LANES",
+                (lanes("present", "1") + &axes.concat())
+                    .trim_end_matches(", ")
+                    .to_owned(),
+            ),
         ],
         // The photon passes two registers before it is in the box.
         method: Method::Induction(4),
@@ -92,20 +94,26 @@ fn borders(widths: &Widths) -> Property {
             Fault::new("borders", "half_3_place_b = x_3;", "half_3_place_b = x_2;"),
             Fault::new("half", "place_b > place_a", "place_b < place_a"),
             Fault::new("both", "low_b < low_a", "low_b > low_a"),
+            Fault::new(
+                "borders",
+                "held_low_0_takes = first_comes;",
+                "held_low_0_takes = comes;",
+            ),
         ],
         fault_clocks: 6,
         covers: at([("cover_kept", 6), ("cover_wide", 6)]),
         ..of_logic(
             "leaves::borders",
             "borders",
-            "each photon of a leaf that is present is in the box around the leaf",
+            "each photon of a group that is present is in the box around the group",
             include_str!("harness/leaf/borders.sv"),
             &[],
         )
     }
 }
 
-fn border(name: &'static str, module: &'static str, width: u32) -> Property {
+fn query_border(widths: &Widths) -> Property {
+    let module = "query_border";
     Property {
         method: Method::Induction(1),
         faults: vec![
@@ -115,43 +123,72 @@ fn border(name: &'static str, module: &'static str, width: u32) -> Property {
         fault_clocks: 4,
         covers: at([("cover_kept", 4), ("cover_wide", 4)]),
         ..of_logic(
-            name,
+            "leaves::query_border",
             module,
             "the borders are around all intervals since the first",
             include_str!("harness/leaf/border.sv"),
-            &[("W", width)],
+            &[("W", widths.coordinate)],
         )
     }
 }
 
-/// The squares of the gaps of a pair of boxes, and which of them are far.
-const SQUARES: &[&str] = &[
-    "square_stage_0_q",
-    "square_stage_1_q",
-    "square_stage_2_q",
-    "square_stage_3_q",
-    "square_stage_4_q",
-    "square_stage_5_q",
-    "far_stage_0_q",
-    "far_stage_1_q",
-    "far_stage_2_q",
-    "far_stage_3_q",
-    "far_stage_4_q",
-    "far_stage_5_q",
+/// For each group of a pair, the squares of its gaps, and which of them are far.
+const SQUARES: [&[&str]; Leaf::PAIR_GROUPS] = [
+    &[
+        "square_stage_0_q",
+        "square_stage_1_q",
+        "square_stage_2_q",
+        "far_stage_0_q",
+        "far_stage_1_q",
+        "far_stage_2_q",
+    ],
+    &[
+        "square_stage_3_q",
+        "square_stage_4_q",
+        "square_stage_5_q",
+        "far_stage_3_q",
+        "far_stage_4_q",
+        "far_stage_5_q",
+    ],
+    &[
+        "square_stage_6_q",
+        "square_stage_7_q",
+        "square_stage_8_q",
+        "far_stage_6_q",
+        "far_stage_7_q",
+        "far_stage_8_q",
+    ],
+    &[
+        "square_stage_9_q",
+        "square_stage_10_q",
+        "square_stage_11_q",
+        "far_stage_9_q",
+        "far_stage_10_q",
+        "far_stage_11_q",
+    ],
 ];
 
-fn culler(machine: &Machine, leaf: &Leaf, widths: &Widths, sizes: &LeafSizes) -> Property {
+/// The property of a group; each group of a pair has gaps and a lane of its own.
+fn culler(
+    machine: &Machine,
+    leaf: &Leaf,
+    widths: &Widths,
+    sizes: &LeafSizes,
+    group: usize,
+) -> Property {
     let format = machine
         .format()
         .expect("a leaf machine has a photon format");
     let query = ["query_low", "query_high"].map(|name| slices(name, AXES, "`C"));
-    let borders = ["leaf_low", "leaf_high"].map(|name| slices(name, AXES * Leaf::PAIR, "`H"));
+    let borders =
+        ["group_low", "group_high"].map(|name| slices(name, AXES * Leaf::PAIR_GROUPS, "`H"));
+    let last = AXES * group + AXES - 1;
     let clocks = sizes.cull_clocks;
     let to_square = Cut::ALL.into_iter().filter(|&cut| cut <= Cut::Square);
     let to_square = to_square.filter(|&cut| leaf.culler.cuts.has(cut)).count();
-    let (squares, far) = SQUARES.split_at(AXES * Leaf::PAIR);
-    let square = |(index, name)| format!(".{name}(leaf_square[{index}*2*`R+:2*`R]), ");
-    let is_far = |(index, name)| format!(".{name}(leaf_far[{index}]), ");
+    let (squares, far) = SQUARES[group].split_at(AXES);
+    let square = |(index, name)| format!(".{name}(group_square[{index}*2*`R+:2*`R]), ");
+    let is_far = |(index, name)| format!(".{name}(group_far[{index}]), ");
     Property {
         macros: vec![
             ("C", widths.coordinate.to_string()),
@@ -160,6 +197,7 @@ fn culler(machine: &Machine, leaf: &Leaf, widths: &Widths, sizes: &LeafSizes) ->
             ("LINE", line(format.query_extra_bits)),
             ("HALF", u32::from(format.half_steps()).to_string()),
             ("LIMIT", format.largest_in_range().to_string()),
+            ("GROUP", group.to_string()),
             ("CLOCKS", clocks.to_string()),
             ("SQUARE", to_square.to_string()),
             ("BORDERS", query.concat() + &borders.concat()),
@@ -173,22 +211,27 @@ fn culler(machine: &Machine, leaf: &Leaf, widths: &Widths, sizes: &LeafSizes) ->
                     .collect(),
             ),
         ],
-        open: Open::Signals(SQUARES),
+        open: Open::Signals(SQUARES[group]),
         method: Method::Induction(clocks + 1),
         faults: vec![
             Fault::new("nearest", "difference = above", "difference = below"),
             Fault::new(
                 "culler",
-                "gap_5_leaf_low = leaf_low_5;",
-                "gap_5_leaf_low = leaf_high_5;",
+                format!("gap_{last}_group_low = group_low_{last};"),
+                format!("gap_{last}_group_low = group_high_{last};"),
             ),
         ],
         fault_clocks: clocks + 2,
         covers: at([("cover_far", clocks + 2), ("cover_near", clocks + 2)]),
         ..of_logic(
-            "leaves::culler",
+            [
+                "leaves::culler_0",
+                "leaves::culler_1",
+                "leaves::culler_2",
+                "leaves::culler_3",
+            ][group],
             "culler",
-            "a leaf with a photon in range of a query of the batch is in range, wherever in their boxes the two are",
+            "a group with a photon in range of a query of the batch is in range, wherever in their boxes the two are",
             include_str!("harness/leaf/culler.sv"),
             &[],
         )
@@ -261,16 +304,17 @@ fn control(sizes: &LeafSizes) -> Property {
             ),
             Fault::new(
                 "control",
-                "box_short_d = ~is_second",
-                "box_short_d = is_second",
+                "box_short_0_d = ~is_second",
+                "box_short_0_d = is_second",
             ),
+            Fault::new("control", "group_valid_q & ~is_of_second", "group_valid_q"),
         ],
         fault_clocks: 8,
         covers: at([("cover_full", 9), ("cover_short", 8)]),
         ..of_logic(
             "leaves::control",
             "control",
-            "the box of each leaf is written once, when its last group is in it; a bank is full from the clock after its \
+            "the boxes of each leaf are written once, when its last group is in them; a bank is full from the clock after its \
              last box until it is freed; assumed: only a full bank is freed",
             include_str!("harness/leaf/control.sv"),
             &[("P", sizes.place), ("FACING", Leaf::FACING_BITS)],
@@ -366,6 +410,7 @@ fn queue(sizes: &LeafSizes) -> Property {
         method: Method::Induction(1),
         faults: vec![
             Fault::new("queue_2", "wanted_0 | wanted_1 | ends", "wanted_0 | ends"),
+            Fault::new("queue_2", "in_range_3 & ~short_1", "in_range_3"),
             Fault::new("queue_2", "mask = mask | 32'h4", "mask = 32'h4"),
             Fault::new("queue_2", "queue_read_q + 32'h1", "queue_read_q + 32'h2"),
         ],
@@ -374,7 +419,7 @@ fn queue(sizes: &LeafSizes) -> Property {
         ..of_logic(
             "leaves::queue",
             "queue_2",
-            "a pair with a wanted leaf, or that ends its batch, comes out once, in order, with its wanted groups; others are \
+            "a pair with a wanted group, or that ends its batch, comes out once, in order, with its wanted groups; others are \
              dropped; assumed: none is queued in a full queue or taken from an empty one",
             include_str!("harness/leaf/queue.sv"),
             &[("K", sizes.pair), ("QUEUE", Leaf::QUEUE)],
@@ -434,7 +479,16 @@ fn player(sizes: &LeafSizes) -> Property {
 
 fn tags(sizes: &LeafSizes) -> Property {
     Property {
-        open: Open::Cells(&["tag_write_q", "tag_read_q", "tag_result_q"], &["tag_ram"]),
+        open: Open::Cells(
+            &[
+                "tag_write_q",
+                "tag_read_q",
+                "has_oldest_q",
+                "oldest_q",
+                "tag_result_q",
+            ],
+            &["tag_ram"],
+        ),
         method: Method::Induction(1),
         faults: vec![
             Fault::new("tags", "result_ready | ~is_query", "result_ready"),
@@ -448,7 +502,7 @@ fn tags(sizes: &LeafSizes) -> Property {
             "leaves::tags",
             "tags",
             "each result has the tag of its query, and fillers have no result; assumed: the chain gives one result for each \
-             token, in order",
+             token, in order, at the earliest two clocks after it took the token",
             include_str!("harness/leaf/tags.sv"),
             &[
                 ("PLACES", 1 << sizes.tag_place),

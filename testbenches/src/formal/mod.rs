@@ -113,7 +113,7 @@ fn properties(machine: &Machine, design: &Emitted) -> Vec<Property> {
         Organisation::Spatial(_) => spatial::properties(machine, &has_module),
         Organisation::Leaf(_) => {
             let mut properties = spatial::properties(machine, &has_module);
-            properties.extend(leaf::properties(machine, &has_module));
+            properties.extend(leaf::properties(machine));
             properties
         }
     }

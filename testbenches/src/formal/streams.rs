@@ -26,9 +26,10 @@ pub(super) fn properties(spatial: &Spatial, widths: &Widths) -> Vec<Property> {
     if sizes.queue <= MOST_PLACES {
         properties.push(queue(widths, &sizes, engines));
     }
-    properties.push(match sizes.has_waits() {
-        true => chain_admission(&sizes, engines as u32),
-        false => admission(&sizes),
+    properties.push(match (spatial.paced, sizes.has_waits()) {
+        (true, _) => paced_admission(engines as u32),
+        (false, true) => chain_admission(&sizes, engines as u32),
+        (false, false) => admission(&sizes),
     });
     properties
 }
@@ -99,6 +100,33 @@ fn queue(widths: &Widths, sizes: &HeadSizes, engines: usize) -> Property {
             "each result written is given once, in order, as it was, and stays while it is not taken; assumed: none is \
              written where the memory is full, as streams::admission shows",
             include_str!("harness/fifo.sv"),
+            &[],
+        )
+    }
+}
+
+/// The admission of a chain that takes every group.
+fn paced_admission(engines: u32) -> Property {
+    Property {
+        macros: vec![("ENGINES", engines.to_string())],
+        open: Open::Signals(&["loaded", "open"]),
+        method: Method::Induction(1),
+        faults: vec![
+            Fault::new("admission", "~full | takes_first", "1'b1"),
+            Fault::new("admission", "group_valid & ~open", "group_valid"),
+            Fault::new("admission", "open <= ~group_last", "open <= 1'd1"),
+        ],
+        fault_clocks: 2 * engines + 6,
+        covers: at([
+            ("cover_full", engines + 4),
+            ("cover_second", 3 * engines + 6),
+        ]),
+        ..of_logic(
+            "streams::admission",
+            "admission",
+            "every group is taken, and a query where its batch has room or the batch before begins; assumed: a batch \
+             begins only when all its queries were taken",
+            include_str!("harness/admission_paced.sv"),
             &[],
         )
     }

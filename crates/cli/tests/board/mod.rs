@@ -117,7 +117,7 @@ fn a_picture_over_a_pseudo_terminal_is_that_of_the_direct_gather() {
             "--photons",
             "300",
             "--in-range",
-            "6",
+            "8",
         ];
         let report = json(&[&picture[..], &small, engine].concat());
         (fs::read(path).unwrap(), report)

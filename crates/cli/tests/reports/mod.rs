@@ -171,7 +171,8 @@ fn a_query_of_too_many_photons_is_told_with_the_option_that_helps() {
     assert!(!out.exists(), "it is refused before the Verilog is written");
 }
 
-/// Smaller batches and smaller leaves have fewer tests of photons that cannot be in range.
+/// Smaller batches have fewer tests of photons that cannot be in range. Of leaves of two sizes the tests hardly differ, as each group has a
+/// box of its own: by which photons the last group of a run has.
 #[test]
 fn a_plan_has_a_row_for_each_size() {
     let small = [
@@ -198,7 +199,9 @@ fn a_plan_has_a_row_for_each_size() {
     }
     let tests = |row: usize| rows[row]["tests_per_photon_in_range"].as_f64().unwrap();
     // Rows 0 and 1 have chains of 4 engines, rows 2 and 3 of 16; of two the first has leaves of 8 photons, the second of 16.
-    assert!(tests(0) < tests(1) && tests(2) < tests(3));
+    let differ_little =
+        |small: usize, large: usize| (tests(large) / tests(small) - 1.0).abs() < 0.02;
+    assert!(differ_little(0, 1) && differ_little(2, 3));
     assert!(tests(0) < tests(2) && tests(1) < tests(3));
     let longer = error(&["plan", "cornell", "--engines", "8", "--chain", "16"], 2);
     assert!(longer.contains("longer than the 8 engines"), "{longer}");

@@ -59,8 +59,9 @@ const NO_LOOPS: &str = "\
 ";
 
 /// The modules that do not depend on the core but by parameters.
-const COMMON: [&str; 8] = [
+const COMMON: [&str; 9] = [
     include_str!("slice.v"),
+    include_str!("slice_part.v"),
     include_str!("place.v"),
     include_str!("link.v"),
     include_str!("stage.v"),

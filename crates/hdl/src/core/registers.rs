@@ -11,6 +11,9 @@ use super::top::range;
 /// The fixed part of the module, in which the tables below are put.
 const TEMPLATE: &str = include_str!("registers.v");
 
+/// The parts in which the word of a read register is found before they are put together.
+const READ_PARTS: usize = 4;
+
 /// The module of a core whose configuration has this digest.
 pub(super) fn registers(core: &Core, digest: u64) -> String {
     let rows = CoreRegister::all(core, digest);
@@ -85,7 +88,19 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
         ),
         ("SELECTED_HIGH", (rows.len() - 1).to_string()),
         ("SELECTS", selects(&rows)),
-        ("READ_WORD", read_word(&rows)),
+        ("PARTS", READ_PARTS.to_string()),
+        (
+            "FOUND_DECLARATIONS",
+            lines((0..READ_PARTS).map(|part| format!("    reg [31:0] found_{part};"))),
+        ),
+        ("FINDS", finds(&rows)),
+        (
+            "FOUND_WORD",
+            (0..READ_PARTS)
+                .map(|part| format!("found_{part}"))
+                .collect::<Vec<_>>()
+                .join(" | "),
+        ),
         ("READS_LOW", of_counters(&rows, |_, selected| selected)),
         ("HIGH_COPIES", of_counters(&rows, high_copy)),
         ("WRITABLE", writable(&rows)),
@@ -300,14 +315,22 @@ fn selects(rows: &[CoreRegisterRow]) -> String {
     }))
 }
 
-/// The word of the selected register.
-fn read_word(rows: &[CoreRegisterRow]) -> String {
-    let numbered = rows.iter().enumerate();
-    lines(
-        numbered.map(|(number, row)| {
-            format!("        | ({{32{{selected[{number}]}}}} & {})", value(row))
-        }),
-    )
+/// The parts of the word of the selected register. Each has registers that follow each other, so it can stand beside them.
+fn finds(rows: &[CoreRegisterRow]) -> String {
+    let numbered: Vec<_> = rows.iter().enumerate().collect();
+    let parts = numbered.chunks(rows.len().div_ceil(READ_PARTS)).enumerate();
+    lines(parts.map(|(part, rows)| {
+        let terms = rows.iter().map(|(number, row)| {
+            format!(
+                "\n            | ({{32{{selected[{number}]}}}} & {})",
+                value(row)
+            )
+        });
+        format!(
+            "        found_{part} <= 32'd0{};",
+            terms.collect::<String>()
+        )
+    }))
 }
 
 /// For each low word of a counter a term, made of the counter's name and whether the word is selected.

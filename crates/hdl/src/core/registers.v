@@ -55,6 +55,9 @@ module @TOP@_registers(clock, aresetn, reset,
     reg [@EVENT_HIGH@:0] interrupt_enable;
     reg [31:0] stall_limit;
     reg [@UNDER_WAY_HIGH@:0] under_way;
+    // Whether a query was given and a last result left in the clock before: the ways to the number of queries under way are too far for one clock.
+    reg query_came;
+    reg result_went;
     // Whether the clock before was silent, and the number of silent clocks up to the one before that.
     reg seen_silent;
     reg [31:0] silent_clocks;
@@ -62,6 +65,12 @@ module @TOP@_registers(clock, aresetn, reset,
     reg reading;
     reg [@SELECTED_HIGH@:0] selected;
     initial reading = 1'b0;
+    // Whether the answer to a read was found in the clock before: whether there is the register, and its word in @PARTS@ parts of which all
+    // but one are 0. The way from all registers to the answer is too far for one clock.
+    reg found;
+    reg found_known;
+@FOUND_DECLARATIONS@
+    initial found = 1'b0;
     // The high bits of the counter whose low word was read last.
     reg [@COUNTER_HIGH@ - 32:0] counter_high;
     // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
@@ -77,17 +86,24 @@ module @TOP@_registers(clock, aresetn, reset,
     initial interrupt_enable = {(@EVENT_HIGH@ + 1){1'b0}};
     initial stall_limit = @STALL_LIMIT@;
     initial under_way = @UNDER_WAY_BITS@'d0;
+    initial query_came = 1'b0;
+    initial result_went = 1'b0;
     initial seen_silent = 1'b0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
     initial reset = 1'b0;
     wire busy = |under_way;
+    // The next numbers of queries under way.
+    (* keep *) wire [@UNDER_WAY_HIGH@:0] one_more;
+    assign one_more = under_way + @UNDER_WAY_BITS@'d1;
+    (* keep *) wire [@UNDER_WAY_HIGH@:0] one_less;
+    assign one_less = under_way - @UNDER_WAY_BITS@'d1;
 
     // An access is taken where its answer has a place.
     wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
     assign s_axi_awready = writes;
     assign s_axi_wready = writes;
-    assign s_axi_arready = ~s_axi_rvalid & ~reading & aresetn;
+    assign s_axi_arready = ~s_axi_rvalid & ~reading & ~found & aresetn;
     wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
     wire [31:0] write_word = s_axi_wdata & write_mask;
     // The two low bits are not looked at: the strobes name the bytes.
@@ -101,10 +117,6 @@ module @TOP@_registers(clock, aresetn, reset,
             default: write_known = 1'b0;
         endcase
     end
-    // A read is answered in the clock behind the one in which it is taken: the way through all registers is too far for one clock.
-    wire read_known = |selected;
-    wire [31:0] read_word = 32'd0
-@READ_WORD@;
     wire reads_low = 1'b0
 @READS_LOW@;
     wire [@COUNTER_HIGH@ - 32:0] counter_high_next = {(@COUNTER_HIGH@ - 31){1'b0}}
@@ -118,7 +130,7 @@ module @TOP@_registers(clock, aresetn, reset,
     wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
     wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
-    wire ends = @LAST_RESULT@ & ~query_given & (under_way == @UNDER_WAY_BITS@'d1);
+    wire ends = result_went & ~query_came & (under_way == @UNDER_WAY_BITS@'d1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits@NOT_PLAYED@;
     wire stalls = (|stall_limit) & (silent_clocks == stall_limit);
     wire [@EVENT_HIGH@:0] occurred;
@@ -133,11 +145,14 @@ module @TOP@_registers(clock, aresetn, reset,
         end else if (s_axi_bready) s_axi_bvalid <= 1'b0;
         reading <= s_axi_arvalid & s_axi_arready;
 @SELECTS@
-        if (reading) begin
+        found <= reading & aresetn;
+        found_known <= |selected;
+@FINDS@
+        if (reading & reads_low) counter_high <= counter_high_next;
+        if (found) begin
             s_axi_rvalid <= 1'b1;
-            s_axi_rresp <= read_known ? OKAY : SLVERR;
-            s_axi_rdata <= read_word;
-            if (reads_low) counter_high <= counter_high_next;
+            s_axi_rresp <= found_known ? OKAY : SLVERR;
+            s_axi_rdata <= @FOUND_WORD@;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
         // A register, since the way to every chain is too far for the clock in which it is decided.
         reset <= ~aresetn | (writes_control & write_word[@RESTART@]);
@@ -146,16 +161,21 @@ module @TOP@_registers(clock, aresetn, reset,
             interrupt_enable <= (interrupt_enable & ~write_mask[@EVENT_HIGH@:0]) | write_word[@EVENT_HIGH@:0];
         end
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;@ROUND_WRITES@
-        under_way <= under_way + query_given - @LAST_RESULT@;
+        query_came <= query_given;
+        result_went <= @LAST_RESULT@;
+        if (query_came & ~result_went) under_way <= one_more;
+        if (result_went & ~query_came) under_way <= one_less;
         seen_silent <= silent;
         silent_clocks <= seen_silent ? silent_clocks + 32'd1 : 32'd0;
         if (reset | ~aresetn) begin
             under_way <= @UNDER_WAY_BITS@'d0;
+            query_came <= 1'b0;
+            result_went <= 1'b0;
             seen_silent <= 1'b0;
             silent_clocks <= 32'd0;
         end
         seen_write <= writes;
-        seen_read <= reading & aresetn;
+        seen_read <= found & aresetn;
 @SEES@
         if (clears_counters | ~aresetn) begin
 @COUNTER_CLEARS@

@@ -1,10 +1,10 @@
-//! Finds the boxes around the leaves of a set.
+//! Finds the boxes around the groups of a set, leaf by leaf.
 
-use photoncube_spec::Spatial;
+use photoncube_spec::{Leaf, Spatial};
 use rust_hdl::prelude::*;
 
 use super::FACING;
-use super::extent::{ExtentOfBoth, ExtentOfLanes, ExtentSoFar};
+use super::extent::{ExtentOfBoth, ExtentOfLanes, Held};
 use crate::defaults::defaulted;
 use crate::spatial::stage::Stage;
 use crate::spatial::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
@@ -13,8 +13,11 @@ const AXES: usize = 3;
 const LANES: usize = Spatial::LANES;
 /// The borders of the two halves of a group.
 const HALVES: usize = 2 * AXES;
+/// The borders of the groups of a leaf: axis a of group g is at 3 g + a.
+pub(super) const OF_LEAF: usize = AXES * Leaf::GROUPS;
 
-/// The borders of a leaf's box, in three clocks: around the halves of a group, around the group, around the leaf. `H` bits.
+/// The borders of the boxes of a leaf's groups, in three clocks: around the halves of a group, around the group, and beside those of the
+/// leaf's other group. `H` bits.
 #[derive(LogicBlock)]
 pub(crate) struct BoxBorders<const H: usize> {
     pub clock: Signal<In, Clock>,
@@ -22,11 +25,11 @@ pub(crate) struct BoxBorders<const H: usize> {
     pub x: [Signal<In, Bits<H>>; LANES],
     pub y: [Signal<In, Bits<H>>; LANES],
     pub z: [Signal<In, Bits<H>>; LANES],
-    /// The group in `Group` is one of a set, and the first of its leaf.
+    /// The group in `Group` is one of a set; it is also the first of its leaf.
     pub comes: Signal<In, Bit>,
-    pub first: Signal<In, Bit>,
-    pub low: [Signal<Out, Bits<H>>; AXES],
-    pub high: [Signal<Out, Bits<H>>; AXES],
+    pub first_comes: Signal<In, Bit>,
+    pub low: [Signal<Out, Bits<H>>; OF_LEAF],
+    pub high: [Signal<Out, Bits<H>>; OF_LEAF],
     /// Axis a of half h is at 3 h + a.
     half: [ExtentOfLanes<H>; HALVES],
     pub half_low: Vec<Stage<Bits<H>>>,
@@ -34,7 +37,8 @@ pub(crate) struct BoxBorders<const H: usize> {
     both: [ExtentOfBoth<H>; AXES],
     pub group_low: Vec<Stage<Bits<H>>>,
     pub group_high: Vec<Stage<Bits<H>>>,
-    pub border: [ExtentSoFar<H>; AXES],
+    pub held_low: [Held<H>; OF_LEAF],
+    pub held_high: [Held<H>; OF_LEAF],
     _wires: Wires,
 }
 
@@ -46,7 +50,7 @@ impl<const H: usize> Default for BoxBorders<H> {
             group_low: Stage::several(AXES, true),
             group_high: Stage::several(AXES, true),
         };
-            clock present x y z comes first low high half both border _wires
+            clock present x y z comes first_comes low high half both held_low held_high _wires
         ))
     }
 }
@@ -85,13 +89,21 @@ impl<const H: usize> BoxBorders<H> {
                 (group_low[axis].d) = (both[axis].low);
                 (group_high[axis].clock) = (clock);
                 (group_high[axis].d) = (both[axis].high);
-                (border[axis].clock) = (clock);
-                (border[axis].comes) = (comes);
-                (border[axis].first) = (first);
-                (border[axis].low_in) = (group_low[axis].q);
-                (border[axis].high_in) = (group_high[axis].q);
-                (low[axis]) = (border[axis].low_out);
-                (high[axis]) = (border[axis].high_out);
+                (held_low[axis].takes) = (first_comes);
+                (held_high[axis].takes) = (first_comes);
+                (held_low[AXES + axis].takes) = (comes);
+                (held_high[AXES + axis].takes) = (comes);
+            );
+        }
+        for border in 0..OF_LEAF {
+            let axis = border % AXES;
+            wires!(self, wiring:
+                (held_low[border].clock) = (clock);
+                (held_low[border].d) = (group_low[axis].q);
+                (held_high[border].clock) = (clock);
+                (held_high[border].d) = (group_high[axis].q);
+                (low[border]) = (held_low[border].q);
+                (high[border]) = (held_high[border].q);
             );
         }
     }
@@ -99,7 +111,7 @@ impl<const H: usize> BoxBorders<H> {
 
 logic_of_wires!(BoxBorders<H>);
 
-/// Follows the groups of a set to the boxes of its leaves, and says which banks are full. `PB` bits of a group's place, `LB` of a
+/// Follows the groups of a set to the entries of its leaves, and says which banks are full. `PB` bits of a group's place, `LB` of a
 /// leaf's.
 #[derive(LogicBlock, Default)]
 pub(crate) struct BoxControl<const PB: usize, const LB: usize> {
@@ -112,14 +124,14 @@ pub(crate) struct BoxControl<const PB: usize, const LB: usize> {
     pub write_facing: Signal<In, Bits<FACING>>,
     pub frees: Signal<In, Bit>,
     pub freed_bank: Signal<In, Bit>,
-    /// For the borders: a group comes; it is the first of its leaf.
+    /// For the borders: a group comes; it is also the first of its leaf.
     pub comes: Signal<Out, Bit>,
-    pub first: Signal<Out, Bit>,
+    pub first_comes: Signal<Out, Bit>,
     pub box_valid_out: Signal<Out, Bit>,
     pub box_bank_out: Signal<Out, Bit>,
     pub box_leaf_out: Signal<Out, Bits<LB>>,
-    pub box_short_out: Signal<Out, Bit>,
-    pub box_facing_out: Signal<Out, Bits<FACING>>,
+    pub box_short_out: [Signal<Out, Bit>; Leaf::PAIR],
+    pub box_facing_out: [Signal<Out, Bits<FACING>>; Leaf::PAIR],
     pub full_0_out: Signal<Out, Bit>,
     pub full_1_out: Signal<Out, Bit>,
     pub end_0_out: Signal<Out, Bits<LB>>,
@@ -138,13 +150,17 @@ pub(crate) struct BoxControl<const PB: usize, const LB: usize> {
     pub box_bank: DFF<Bit>,
     pub box_leaf: DFF<Bits<LB>>,
     pub box_last: DFF<Bit>,
-    pub box_short: DFF<Bit>,
-    pub box_facing: DFF<Bits<FACING>>,
+    pub box_short_0: DFF<Bit>,
+    pub box_short_1: DFF<Bit>,
+    pub box_facing_0: DFF<Bits<FACING>>,
+    pub box_facing_1: DFF<Bits<FACING>>,
     pub full_0: DFF<Bit>,
     pub full_1: DFF<Bit>,
     pub end_0: DFF<Bits<LB>>,
     pub end_1: DFF<Bits<LB>>,
+    /// The group is the second of its leaf; it is one of its pair's second leaf.
     is_second: Signal<Local, Bit>,
+    is_of_second: Signal<Local, Bit>,
 }
 
 impl<const PB: usize, const LB: usize> Logic for BoxControl<PB, LB> {
@@ -167,8 +183,10 @@ impl<const PB: usize, const LB: usize> Logic for BoxControl<PB, LB> {
             box_bank,
             box_leaf,
             box_last,
-            box_short,
-            box_facing,
+            box_short_0,
+            box_short_1,
+            box_facing_0,
+            box_facing_1,
             full_0,
             full_1,
             end_0,
@@ -185,15 +203,22 @@ impl<const PB: usize, const LB: usize> Logic for BoxControl<PB, LB> {
         self.group_last.d.next = self.half_last.q.val();
         self.group_facing.d.next = self.half_facing.q.val();
         self.is_second.next = self.group_place.q.val().get_bit(0);
+        self.is_of_second.next = self.group_place.q.val().get_bit(1);
         self.comes.next = self.group_valid.q.val();
-        self.first.next = !self.is_second.val();
+        self.first_comes.next = self.group_valid.q.val() & !self.is_second.val();
         self.box_valid.d.next =
             self.group_valid.q.val() & (self.is_second.val() | self.group_last.q.val());
         self.box_bank.d.next = self.group_bank.q.val();
         self.box_leaf.d.next = self.group_place.q.val().get_bits::<LB>(1);
         self.box_last.d.next = self.group_last.q.val();
-        self.box_short.d.next = !self.is_second.val();
-        self.box_facing.d.next = self.group_facing.q.val();
+        if self.group_valid.q.val() {
+            self.box_short_1.d.next = !self.is_second.val();
+            self.box_facing_1.d.next = self.group_facing.q.val();
+        }
+        if self.group_valid.q.val() & !self.is_of_second.val() {
+            self.box_short_0.d.next = !self.is_second.val();
+            self.box_facing_0.d.next = self.group_facing.q.val();
+        }
         if self.box_valid.q.val() & self.box_last.q.val() {
             if self.box_bank.q.val() {
                 self.full_1.d.next = true;
@@ -220,8 +245,10 @@ impl<const PB: usize, const LB: usize> Logic for BoxControl<PB, LB> {
         self.box_valid_out.next = self.box_valid.q.val();
         self.box_bank_out.next = self.box_bank.q.val();
         self.box_leaf_out.next = self.box_leaf.q.val();
-        self.box_short_out.next = self.box_short.q.val();
-        self.box_facing_out.next = self.box_facing.q.val();
+        self.box_short_out[0].next = self.box_short_0.q.val();
+        self.box_short_out[1].next = self.box_short_1.q.val();
+        self.box_facing_out[0].next = self.box_facing_0.q.val();
+        self.box_facing_out[1].next = self.box_facing_1.q.val();
         self.full_0_out.next = self.full_0.q.val();
         self.full_1_out.next = self.full_1.q.val();
         self.end_0_out.next = self.end_0.q.val();

@@ -1,4 +1,4 @@
-//! Decides whether the boxes of a pair of leaves are in range of a batch's box.
+//! Decides which boxes of the groups of a pair are in range of a batch's box.
 
 use photoncube_spec::{Cut, EngineKind, Leaf, Squarer};
 use rust_hdl::prelude::*;
@@ -11,9 +11,10 @@ use crate::spatial::stage::Stage;
 use crate::spatial::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
 const AXES: usize = 3;
-const BORDERS: usize = AXES * Leaf::PAIR;
+const GROUPS: usize = Leaf::PAIR_GROUPS;
+const BORDERS: usize = AXES * GROUPS;
 
-/// The squares of the gaps on all axes, and for each leaf the lane that an engine has for a photon. The widths are those
+/// The squares of the gaps on all axes, and for each group the lane that an engine has for a photon. The widths are those
 /// of an engine.
 #[derive(LogicBlock)]
 pub(crate) struct Culler<
@@ -31,10 +32,10 @@ pub(crate) struct Culler<
     pub clock: Signal<In, Clock>,
     pub query_low: [Signal<In, Bits<C>>; AXES],
     pub query_high: [Signal<In, Bits<C>>; AXES],
-    /// The borders of the leaves: axis a of leaf i is at 3 i + a.
-    pub leaf_low: [Signal<In, Bits<H>>; BORDERS],
-    pub leaf_high: [Signal<In, Bits<H>>; BORDERS],
-    pub in_range: [Signal<Out, Bit>; Leaf::PAIR],
+    /// The borders of the groups: axis a of group i is at 3 i + a.
+    pub group_low: [Signal<In, Bits<H>>; BORDERS],
+    pub group_high: [Signal<In, Bits<H>>; BORDERS],
+    pub in_range: [Signal<Out, Bit>; GROUPS],
     gap: [BoxGap<C, H, D>; BORDERS],
     difference: Vec<Stage<Bits<D>>>,
     /// Squarers, or none where they are of the other kind.
@@ -74,26 +75,26 @@ impl<
             product: (0..products).map(|_| ProductSquarer::new(cuts, H < C)).collect(),
             square_stage: Stage::several(BORDERS, cuts.has(Cut::Square)),
             far_stage: Stage::several(BORDERS, cuts.has(Cut::Square)),
-            lane: (0..Leaf::PAIR).map(|_| Lane::new(cuts, 0, Some(radius_sq))).collect(),
+            lane: (0..GROUPS).map(|_| Lane::new(cuts, 0, Some(radius_sq))).collect(),
         };
-            clock query_low query_high leaf_low leaf_high in_range gap _wires
+            clock query_low query_high group_low group_high in_range gap _wires
         ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {
         for border in 0..BORDERS {
-            let (leaf, axis) = (border / AXES, border % AXES);
+            let (group, axis) = (border / AXES, border % AXES);
             wires!(self, wiring:
                 (gap[border].query_low) = (query_low[axis]);
                 (gap[border].query_high) = (query_high[axis]);
-                (gap[border].leaf_low) = (leaf_low[border]);
-                (gap[border].leaf_high) = (leaf_high[border]);
+                (gap[border].group_low) = (group_low[border]);
+                (gap[border].group_high) = (group_high[border]);
                 (difference[border].clock) = (clock);
                 (difference[border].d) = (gap[border].difference);
                 (square_stage[border].clock) = (clock);
                 (far_stage[border].clock) = (clock);
-                (lane[leaf].axis_square[axis]) = (square_stage[border].q);
-                (lane[leaf].axis_far[axis]) = (far_stage[border].q);
+                (lane[group].axis_square[axis]) = (square_stage[border].q);
+                (lane[group].axis_far[axis]) = (far_stage[border].q);
             );
         }
         for border in 0..self.digits.len() {
@@ -112,10 +113,10 @@ impl<
                 (far_stage[border].d) = (product[border].far);
             );
         }
-        for leaf in 0..Leaf::PAIR {
+        for group in 0..GROUPS {
             wires!(self, wiring:
-                (lane[leaf].clock) = (clock);
-                (in_range[leaf]) = (lane[leaf].photon_in_range);
+                (lane[group].clock) = (clock);
+                (in_range[group]) = (lane[group].photon_in_range);
             );
         }
     }

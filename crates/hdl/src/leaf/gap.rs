@@ -1,4 +1,4 @@
-//! The gap between the box of a batch and that of a leaf on one axis.
+//! The gap between the box of a batch and that of a group on one axis.
 
 use rust_hdl::prelude::*;
 
@@ -7,7 +7,7 @@ use crate::spatial::arithmetic::{Subtract, SubtractLine};
 use crate::spatial::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
 /// Selects the difference of the two nearest borders, in two's complement of `D` bits: `above` where it is negative, as the
-/// leaf is then above the batch; `below` where it is not negative, as the leaf is then below; 0 where the boxes overlap.
+/// group is then above the batch; `below` where it is not negative, as the group is then below; 0 where the boxes overlap.
 #[derive(LogicBlock)]
 pub(crate) struct NearestBorders<const D: usize> {
     pub above: Signal<In, Bits<D>>,
@@ -44,14 +44,14 @@ impl<const D: usize> Logic for NearestBorders<D> {
     }
 }
 
-/// The difference of the nearest borders of a batch's box and a leaf's, as an engine computes that of a query and a
+/// The difference of the nearest borders of a batch's box and a group's, as an engine computes that of a query and a
 /// photon. `C` query's and `H` photon's coordinate, `D = C + 1`.
 #[derive(LogicBlock)]
 pub(crate) struct BoxGap<const C: usize, const H: usize, const D: usize> {
     pub query_low: Signal<In, Bits<C>>,
     pub query_high: Signal<In, Bits<C>>,
-    pub leaf_low: Signal<In, Bits<H>>,
-    pub leaf_high: Signal<In, Bits<H>>,
+    pub group_low: Signal<In, Bits<H>>,
+    pub group_high: Signal<In, Bits<H>>,
     pub difference: Signal<Out, Bits<D>>,
     /// Two, or none where the photons are on grid lines.
     subtract: Vec<Subtract<C, H, D>>,
@@ -68,7 +68,7 @@ impl<const C: usize, const H: usize, const D: usize> Default for BoxGap<C, H, D>
             subtract: (lines..2).map(|_| Default::default()).collect(),
             subtract_line: (0..lines).map(|_| Default::default()).collect(),
         };
-            query_low query_high leaf_low leaf_high difference nearest _wires
+            query_low query_high group_low group_high difference nearest _wires
         ))
     }
 }
@@ -78,18 +78,18 @@ impl<const C: usize, const H: usize, const D: usize> BoxGap<C, H, D> {
         if self.subtract.is_empty() {
             wires!(self, wiring:
                 (subtract_line[0].a) = (query_high);
-                (subtract_line[0].b) = (leaf_low);
+                (subtract_line[0].b) = (group_low);
                 (subtract_line[1].a) = (query_low);
-                (subtract_line[1].b) = (leaf_high);
+                (subtract_line[1].b) = (group_high);
                 (nearest.above) = (subtract_line[0].difference);
                 (nearest.below) = (subtract_line[1].difference);
             );
         } else {
             wires!(self, wiring:
                 (subtract[0].a) = (query_high);
-                (subtract[0].b) = (leaf_low);
+                (subtract[0].b) = (group_low);
                 (subtract[1].a) = (query_low);
-                (subtract[1].b) = (leaf_high);
+                (subtract[1].b) = (group_high);
                 (nearest.above) = (subtract[0].difference);
                 (nearest.below) = (subtract[1].difference);
             );

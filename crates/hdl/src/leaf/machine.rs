@@ -3,7 +3,7 @@
 use photoncube_spec::{Leaf, LeafSizes, Machine, Organisation, Pins, SignalPlace, Spatial};
 use rust_hdl::prelude::*;
 
-use super::boxes::{BoxBorders, BoxControl};
+use super::boxes::{BoxBorders, BoxControl, OF_LEAF};
 use super::culler::Culler;
 use super::extent::{ExtentSoFar, Held};
 use super::fill::Fill;
@@ -250,12 +250,12 @@ impl<
         }
     }
 
-    /// Wires the groups that are written to the boxes of their leaves.
+    /// Wires the groups that are written to the entries of their leaves.
     fn box_wires(&mut self, wiring: &mut Wiring) {
         wires!(self, wiring:
             (borders.clock) = (clock);
             (borders.comes) = (control.comes);
-            (borders.first) = (control.first);
+            (borders.first_comes) = (control.first_comes);
             (control.clock) = (clock);
             (control.reset) = (reset);
             (control.write_valid) = (fill.write_valid_out);
@@ -269,12 +269,16 @@ impl<
             (box_words.write) = (control.box_valid_out);
             (box_words.write_bank) = (control.box_bank_out);
             (box_words.write_leaf) = (control.box_leaf_out);
-            (box_words.facing) = (control.box_facing_out);
-            (box_words.short) = (control.box_short_out);
             (box_words.read) = (scan.issues);
             (box_words.read_bank) = (scan.issue_bank);
             (box_words.read_pair) = (scan.issue_pair);
         );
+        for leaf in 0..Leaf::PAIR {
+            wires!(self, wiring:
+                (box_words.facing[leaf]) = (control.box_facing_out[leaf]);
+                (box_words.short[leaf]) = (control.box_short_out[leaf]);
+            );
+        }
         for lane in 0..LANES {
             wires!(self, wiring:
                 (borders.present[lane]) = (group_words.write_present[lane]);
@@ -283,10 +287,10 @@ impl<
                 (borders.z[lane]) = (group_words.write_z[lane]);
             );
         }
-        for axis in 0..AXES {
+        for border in 0..OF_LEAF {
             wires!(self, wiring:
-                (box_words.low[axis]) = (borders.low[axis]);
-                (box_words.high[axis]) = (borders.high[axis]);
+                (box_words.low[border]) = (borders.low[border]);
+                (box_words.high[border]) = (borders.high[border]);
             );
         }
     }
@@ -356,10 +360,10 @@ impl<
                 (culler.query_high[axis]) = (scan_high[axis].q);
             );
         }
-        for border in 0..AXES * Leaf::PAIR {
+        for border in 0..OF_LEAF * Leaf::PAIR {
             wires!(self, wiring:
-                (culler.leaf_low[border]) = (box_words.found_low[border]);
-                (culler.leaf_high[border]) = (box_words.found_high[border]);
+                (culler.group_low[border]) = (box_words.found_low[border]);
+                (culler.group_high[border]) = (box_words.found_high[border]);
             );
         }
     }
@@ -405,9 +409,11 @@ impl<
             (queue.releases) = (cull[stages - 1].release_out);
             (queue.takes_pair) = (player.takes_pair);
         );
+        for group in 0..Leaf::PAIR_GROUPS {
+            wires!(self, wiring: (queue.in_range[group]) = (culler.in_range[group]););
+        }
         for leaf in 0..Leaf::PAIR {
             wires!(self, wiring:
-                (queue.in_range[leaf]) = (culler.in_range[leaf]);
                 (queue.gathered[leaf]) = (gathers.gathered[leaf]);
                 (queue.short[leaf]) = (cull[stages - 1].short_out[leaf]);
             );

@@ -1,4 +1,4 @@
-//! Plays the groups of the wanted leaves to the chain.
+//! Plays the wanted groups of leaves to the chain.
 
 use rust_hdl::prelude::*;
 

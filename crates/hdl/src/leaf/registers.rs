@@ -1,9 +1,10 @@
 //! The places of the registers of a leaf machine before its chain.
 
-use photoncube_spec::LeafRegister;
+use photoncube_spec::{Leaf, LeafRegister};
 
+use super::boxes::OF_LEAF;
 use super::machine::LeafMachine;
-use super::words::{BoxWords, GroupWords};
+use super::words::{BoxPair, BoxWords, GroupWords};
 use crate::pinned::Word;
 use crate::registers::{Answer, Ask, register};
 
@@ -95,14 +96,16 @@ pub(super) fn own_register<
         R::BoxBank => register!(ask, m, control.box_bank.q),
         R::BoxLeaf => register!(ask, m, control.box_leaf.q),
         R::BoxLast => register!(ask, m, control.box_last.q),
-        R::BoxShort => register!(ask, m, control.box_short.q),
-        R::BoxFacing => register!(ask, m, control.box_facing.q),
+        R::BoxShort if i == 0 => register!(ask, m, control.box_short_0.q),
+        R::BoxShort => register!(ask, m, control.box_short_1.q),
+        R::BoxFacing if i == 0 => register!(ask, m, control.box_facing_0.q),
+        R::BoxFacing => register!(ask, m, control.box_facing_1.q),
         R::HalfLow => register!(ask, m, borders.half_low[i].q),
         R::HalfHigh => register!(ask, m, borders.half_high[i].q),
         R::GroupLow => register!(ask, m, borders.group_low[i].q),
         R::GroupHigh => register!(ask, m, borders.group_high[i].q),
-        R::BoxLow => register!(ask, m, borders.border[i].low.q),
-        R::BoxHigh => register!(ask, m, borders.border[i].high.q),
+        R::BoxLow => register!(ask, m, borders.held_low[i].held.q),
+        R::BoxHigh => register!(ask, m, borders.held_high[i].held.q),
         R::Loaded => register!(ask, m, former.loaded.q),
         R::Closed => register!(ask, m, former.closed.q),
         R::Release => register!(ask, m, former.releases.q),
@@ -163,6 +166,8 @@ pub(super) fn own_register<
         R::WordBlank => register!(ask, m, player.word_blank.q),
         R::TagWrite => register!(ask, m, tags.tag_write.q),
         R::TagRead => register!(ask, m, tags.tag_read.q),
+        R::HasOldest => register!(ask, m, tags.has_oldest.q),
+        R::Oldest => register!(ask, m, tags.oldest.q),
         R::TagResult => register!(ask, m, tags.tag_result.q),
         R::Filled if i == 0 => register!(ask, m, fill.filled_0.q),
         R::Filled => register!(ask, m, fill.filled_1.q),
@@ -244,21 +249,21 @@ fn group_word<const H: usize, const B: usize, const E: usize, const PB: usize>(
 /// A field of the words of a pair's boxes.
 fn box_word<const H: usize, const LB: usize, const KB: usize>(
     _boxes: &BoxWords<H, LB, KB>,
-    words: &[Vec<u64>; 2],
+    words: &BoxPair,
     name: &str,
     register: LeafRegister,
     i: usize,
     ask: Ask,
 ) -> Answer {
     use LeafRegister as R;
-    let (field, leaf, place) = match register {
-        R::LookLow | R::FoundLow => ("low", i / AXES, BoxWords::<H, LB, KB>::LOW + i % AXES),
-        R::LookHigh | R::FoundHigh => ("high", i / AXES, BoxWords::<H, LB, KB>::HIGH + i % AXES),
-        R::LookFacing | R::FoundFacing => ("facing", i, BoxWords::<H, LB, KB>::FACING),
-        _ => ("short", i, BoxWords::<H, LB, KB>::SHORT),
+    let (field, value) = match register {
+        R::LookLow | R::FoundLow => ("low", words.borders[i / OF_LEAF][i % OF_LEAF]),
+        R::LookHigh | R::FoundHigh => ("high", words.borders[i / OF_LEAF][OF_LEAF + i % OF_LEAF]),
+        R::LookFacing | R::FoundFacing => ("facing", words.notes[i]),
+        _ => ("short", words.notes[Leaf::PAIR + i]),
     };
     match ask {
-        Ask::Value => Answer::Value(words[leaf][place]),
+        Ask::Value => Answer::Value(value),
         Ask::Path => Answer::Path(format!("box_words.of_{name}_{field}_{i}")),
     }
 }

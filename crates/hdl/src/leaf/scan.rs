@@ -1,4 +1,4 @@
-//! Reads the boxes of all pairs of a set for a batch, and queues the pairs that have a wanted leaf.
+//! Reads the boxes of all pairs of a set for a batch, and queues the pairs that have a wanted group.
 
 use photoncube_spec::Leaf;
 use rust_hdl::prelude::*;
@@ -261,7 +261,7 @@ impl<const KB: usize> Logic for CullStage<KB> {
     }
 }
 
-/// The queue of pairs with a wanted leaf, and of the last pairs of batches. `KB` bits of a pair's number.
+/// The queue of pairs with a wanted group, and of the last pairs of batches. `KB` bits of a pair's number.
 #[derive(LogicBlock, Default)]
 pub(crate) struct PairQueue<const KB: usize> {
     pub clock: Signal<In, Clock>,
@@ -272,7 +272,7 @@ pub(crate) struct PairQueue<const KB: usize> {
     pub bank: Signal<In, Bit>,
     pub ends: Signal<In, Bit>,
     pub releases: Signal<In, Bit>,
-    pub in_range: [Signal<In, Bit>; Leaf::PAIR],
+    pub in_range: [Signal<In, Bit>; MASK],
     pub gathered: [Signal<In, Bit>; Leaf::PAIR],
     pub short: [Signal<In, Bit>; Leaf::PAIR],
     pub takes_pair: Signal<In, Bit>,
@@ -283,7 +283,7 @@ pub(crate) struct PairQueue<const KB: usize> {
     pub oldest_pair: Signal<Out, Bits<KB>>,
     pub oldest_mask: Signal<Out, Bits<MASK>>,
     pub oldest_flags: Signal<Out, Bits<3>>,
-    /// The leaves of the pair that are wanted.
+    /// The leaves of the pair of which a group is wanted.
     pub wanted: Signal<Out, Bits<2>>,
     pub queue_write: DFF<Bits<QUEUE_PLACE>>,
     pub queue_read: DFF<Bits<QUEUE_PLACE>>,
@@ -291,6 +291,12 @@ pub(crate) struct PairQueue<const KB: usize> {
     pair_ram: AsyncRam<QUEUE_PLACE, KB>,
     mask_ram: AsyncRam<QUEUE_PLACE, MASK>,
     flag_ram: AsyncRam<QUEUE_PLACE, 3>,
+    /// The second group of each leaf is one of the set and in range.
+    second_0: Signal<Local, Bit>,
+    second_1: Signal<Local, Bit>,
+    /// Some group of each leaf is.
+    near_0: Signal<Local, Bit>,
+    near_1: Signal<Local, Bit>,
     wanted_0: Signal<Local, Bit>,
     wanted_1: Signal<Local, Bit>,
     some: Signal<Local, Bit>,
@@ -306,23 +312,27 @@ impl<const KB: usize> Logic for PairQueue<KB> {
         self.pair_ram.clock.next = self.clock.val();
         self.mask_ram.clock.next = self.clock.val();
         self.flag_ram.clock.next = self.clock.val();
-        self.wanted_0.next = self.in_range[0].val() & self.gathered[0].val();
-        self.wanted_1.next = self.in_range[1].val() & self.gathered[1].val();
+        self.second_0.next = self.in_range[1].val() & !self.short[0].val();
+        self.second_1.next = self.in_range[3].val() & !self.short[1].val();
+        self.near_0.next = self.in_range[0].val() | self.second_0.val();
+        self.near_1.next = self.in_range[2].val() | self.second_1.val();
+        self.wanted_0.next = self.near_0.val() & self.gathered[0].val();
+        self.wanted_1.next = self.near_1.val() & self.gathered[1].val();
         self.some.next = self.wanted_0.val() | self.wanted_1.val() | self.ends.val();
         self.queues.next = self.valid.val() & self.some.val();
         self.drops.next = self.valid.val() & !self.some.val();
         self.mask.next = 0.into();
-        if self.wanted_0.val() {
-            self.mask.next = 3.into();
-            if self.short[0].val() {
-                self.mask.next = 1.into();
-            }
+        if self.in_range[0].val() & self.gathered[0].val() {
+            self.mask.next = self.mask.val() | 1;
         }
-        if self.wanted_1.val() {
+        if self.second_0.val() & self.gathered[0].val() {
+            self.mask.next = self.mask.val() | 2;
+        }
+        if self.in_range[2].val() & self.gathered[1].val() {
             self.mask.next = self.mask.val() | 4;
-            if !self.short[1].val() {
-                self.mask.next = self.mask.val() | 8;
-            }
+        }
+        if self.second_1.val() & self.gathered[1].val() {
+            self.mask.next = self.mask.val() | 8;
         }
         self.wanted.next = 0.into();
         if self.valid.val() & (self.wanted_0.val() | self.wanted_1.val()) {

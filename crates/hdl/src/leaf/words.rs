@@ -1,4 +1,4 @@
-//! The two memories of a leaf machine in block RAM: the words of groups, and the boxes of leaves.
+//! The two memories of a leaf machine in block RAM: the words of groups, and the entries of leaves with the boxes of their groups.
 //!
 //! Their words are wider than rust-hdl's kernels handle well, and their depth follows from the machine, so their Verilog is
 //! written by hand.
@@ -7,16 +7,20 @@ use photoncube_spec::{Leaf, Spatial};
 use rust_hdl::prelude::*;
 
 use super::FACING;
+use super::boxes::OF_LEAF;
 use crate::defaults::{defaulted, signals};
 use crate::parts::{Field, GroupPins, group_fields};
 
 const LANES: usize = Spatial::LANES;
-const AXES: usize = 3;
 
 /// The name of a memory's array.
 pub(super) const GROUPS: &str = "groups";
-/// The names of the arrays of boxes: the first and the second leaf of each pair.
-pub(super) const BOXES: [&str; Leaf::PAIR] = ["boxes_0", "boxes_1"];
+/// The names of the arrays of entries: the boxes of the first and of the second leaf of each pair, and the notes of both.
+pub(super) const BOXES: [&str; Leaf::PAIR + 1] = ["boxes_0", "boxes_1", NOTES];
+const NOTES: &str = "notes";
+/// The names of the words that are written to them.
+const BORDERS_WORD: &str = "box";
+const NOTES_WORD: &str = "note";
 
 /// Bits of a word.
 fn width_of(fields: &[Field]) -> usize {
@@ -229,40 +233,52 @@ impl<const H: usize, const B: usize, const E: usize, const PB: usize> Logic
     }
 }
 
-/// The boxes of the leaves of both banks, each with its facing and whether its leaf has one group; `LB` bits of a leaf's number,
-/// `KB = LB - 1` of a pair's.
+/// The entries of a pair: the borders of each leaf's groups, low ones first; and the facings of the leaves, then whether each has one
+/// group.
+#[derive(Clone, Debug)]
+pub(super) struct BoxPair {
+    pub borders: [Vec<u64>; Leaf::PAIR],
+    pub notes: Vec<u64>,
+}
+
+/// The entries of the leaves of both banks: the boxes of a leaf's groups, its facing, and whether it has one group. `LB` bits of a leaf's
+/// number, `KB = LB - 1` of a pair's. The boxes of each leaf of a pair are an array. The notes beside them are an array of both leaves, since
+/// a block RAM of its own for each leaf would be mostly empty.
 #[derive(LogicBlock)]
 pub(crate) struct BoxWords<const H: usize, const LB: usize, const KB: usize> {
     pub clock: Signal<In, Clock>,
-    pub low: [Signal<In, Bits<H>>; AXES],
-    pub high: [Signal<In, Bits<H>>; AXES],
-    pub facing: Signal<In, Bits<FACING>>,
-    pub short: Signal<In, Bit>,
+    /// Axis a of group g of the leaf is at 3 g + a.
+    pub low: [Signal<In, Bits<H>>; OF_LEAF],
+    pub high: [Signal<In, Bits<H>>; OF_LEAF],
+    pub facing: [Signal<In, Bits<FACING>>; Leaf::PAIR],
+    pub short: [Signal<In, Bit>; Leaf::PAIR],
     pub write: Signal<In, Bit>,
     pub write_bank: Signal<In, Bit>,
     pub write_leaf: Signal<In, Bits<LB>>,
     pub read: Signal<In, Bit>,
     pub read_bank: Signal<In, Bit>,
     pub read_pair: Signal<In, Bits<KB>>,
-    /// The words in `Found`: axis a of leaf i is at 3 i + a.
-    pub found_low: [Signal<Out, Bits<H>>; AXES * Leaf::PAIR],
-    pub found_high: [Signal<Out, Bits<H>>; AXES * Leaf::PAIR],
+    /// The words in `Found`: axis a of group i of the pair is at 3 i + a.
+    pub found_low: [Signal<Out, Bits<H>>; OF_LEAF * Leaf::PAIR],
+    pub found_high: [Signal<Out, Bits<H>>; OF_LEAF * Leaf::PAIR],
     pub found_facing: [Signal<Out, Bits<FACING>>; Leaf::PAIR],
     pub found_short: [Signal<Out, Bit>; Leaf::PAIR],
-    _boxes: [Vec<Vec<u64>>; Leaf::PAIR],
-    pub(super) _look: [Vec<u64>; Leaf::PAIR],
-    pub(super) _found: [Vec<u64>; Leaf::PAIR],
+    _pairs: Vec<BoxPair>,
+    pub(super) _look: BoxPair,
+    pub(super) _found: BoxPair,
 }
 
 impl<const H: usize, const LB: usize, const KB: usize> Default for BoxWords<H, LB, KB> {
     fn default() -> Self {
         assert!(LB == KB + 1, "a pair is two leaves");
-        let nothing = vec![0; Self::fields().len()];
-        let two = || [nothing.clone(), nothing.clone()];
+        let nothing = BoxPair {
+            borders: [(); Leaf::PAIR].map(|()| vec![0; 2 * OF_LEAF]),
+            notes: vec![0; 2 * Leaf::PAIR],
+        };
         defaulted!(Self {
-            _boxes: two().map(|word| vec![word; 2 << KB]),
-            _look: two(),
-            _found: two(),
+            _pairs: vec![nothing.clone(); 2 << KB],
+            _look: nothing.clone(),
+            _found: nothing,
         };
             clock low high facing short write write_bank write_leaf read read_bank read_pair found_low found_high
             found_facing found_short
@@ -270,54 +286,51 @@ impl<const H: usize, const LB: usize, const KB: usize> Default for BoxWords<H, L
     }
 }
 
-impl<const H: usize, const LB: usize, const KB: usize> BoxWords<H, LB, KB> {
-    /// The places of a word's fields.
-    pub(super) const LOW: usize = 0;
-    pub(super) const HIGH: usize = AXES;
-    pub(super) const FACING: usize = 2 * AXES;
-    pub(super) const SHORT: usize = 2 * AXES + 1;
+/// The places of numbered ports of these names, in the order of their bits.
+fn numbered(names: [&str; 2], count: usize, widths: [usize; 2]) -> Vec<Field> {
+    let of = |(name, width): (&str, usize)| {
+        let fields = (0..count).map(move |place| Field {
+            name: format!("{name}${place}"),
+            width,
+        });
+        fields.collect::<Vec<_>>()
+    };
+    names.into_iter().zip(widths).flat_map(of).collect()
+}
 
-    /// The number of words in both banks, for each leaf of a pair.
+impl<const H: usize, const LB: usize, const KB: usize> BoxWords<H, LB, KB> {
+    /// The number of pairs in both banks.
     pub fn depth(&self) -> usize {
         2 << KB
     }
 
-    /// The fields of a word, from bit 0 up.
-    fn fields() -> Vec<Field> {
-        let border = |name: &str, axis| Field {
-            name: format!("{name}${axis}"),
-            width: H,
-        };
-        let one = |name: &str, width| Field {
-            name: name.to_owned(),
-            width,
-        };
-        let low = (0..AXES).map(|axis| border("low", axis));
-        let high = (0..AXES).map(|axis| border("high", axis));
-        low.chain(high)
-            .chain([one("facing", Leaf::FACING_BITS as usize), one("short", 1)])
-            .collect()
+    /// The fields of a leaf's borders, from bit 0 up.
+    fn borders() -> Vec<Field> {
+        numbered(["low", "high"], OF_LEAF, [H; 2])
+    }
+
+    /// The fields of a pair's notes, from bit 0 up.
+    fn notes() -> Vec<Field> {
+        numbered(["facing", "short"], Leaf::PAIR, [FACING, 1])
     }
 
     fn step(&mut self) {
         self._found = self._look.clone();
         if self.read.val() {
             let pair = self.read_pair.val().to_u64() as usize;
-            let place = usize::from(self.read_bank.val()) << KB | pair;
-            self._look = [0, 1].map(|leaf| self._boxes[leaf][place].clone());
+            self._look = self._pairs[usize::from(self.read_bank.val()) << KB | pair].clone();
         }
         if !self.write.val() {
             return;
         }
-        let mut word: Vec<_> = self.low.iter().map(|low| low.val().to_u64()).collect();
-        word.extend(self.high.iter().map(|high| high.val().to_u64()));
-        word.extend([self.facing.val().to_u64(), self.short.val().into()]);
+        let mut borders: Vec<_> = self.low.iter().map(|low| low.val().to_u64()).collect();
+        borders.extend(self.high.iter().map(|high| high.val().to_u64()));
         let leaf = self.write_leaf.val().to_u64() as usize;
-        let place = (usize::from(self.write_bank.val()) << KB) | (leaf / 2);
-        if leaf.is_multiple_of(Leaf::PAIR) {
-            self._boxes[0][place].clone_from(&word);
-        }
-        self._boxes[1][place] = word;
+        let pair = &mut self._pairs[(usize::from(self.write_bank.val()) << KB) | (leaf / 2)];
+        pair.borders[leaf % Leaf::PAIR..].fill(borders);
+        let facings = self.facing.iter().map(|facing| facing.val().to_u64());
+        let shorts = self.short.iter().map(|short| short.val().into());
+        pair.notes = facings.chain(shorts).collect();
     }
 }
 
@@ -327,13 +340,13 @@ impl<const H: usize, const LB: usize, const KB: usize> Logic for BoxWords<H, LB,
             self.step();
         }
         for leaf in 0..Leaf::PAIR {
-            let word = &self._found[leaf];
-            for axis in 0..AXES {
-                self.found_low[AXES * leaf + axis].next = word[Self::LOW + axis].to_bits();
-                self.found_high[AXES * leaf + axis].next = word[Self::HIGH + axis].to_bits();
+            let borders = &self._found.borders[leaf];
+            for place in 0..OF_LEAF {
+                self.found_low[OF_LEAF * leaf + place].next = borders[place].to_bits();
+                self.found_high[OF_LEAF * leaf + place].next = borders[OF_LEAF + place].to_bits();
             }
-            self.found_facing[leaf].next = word[Self::FACING].to_bits();
-            self.found_short[leaf].next = word[Self::SHORT] != 0;
+            self.found_facing[leaf].next = self._found.notes[leaf].to_bits();
+            self.found_short[leaf].next = self._found.notes[Leaf::PAIR + leaf] != 0;
         }
     }
 
@@ -345,48 +358,51 @@ impl<const H: usize, const LB: usize, const KB: usize> Logic for BoxWords<H, LB,
     }
 
     fn hdl(&self) -> Verilog {
-        let fields = Self::fields();
-        let width = width_of(&fields);
-        let (high, last) = (width - 1, self.depth() - 1);
-        let [mut arrays, mut reads, mut views] = [(); 3].map(|()| String::new());
-        for (leaf, array) in BOXES.iter().enumerate() {
-            arrays += &format!(
-                "(* no_rw_check *) reg [{high}:0] {array} [0:{last}];\n\
-                 reg [{high}:0] look_{leaf} = {width}'d0;\n\
-                 reg [{high}:0] found_{leaf} = {width}'d0;\n"
-            );
-            let writes = if leaf == 0 {
+        let (borders, notes) = (Self::borders(), Self::notes());
+        let last = self.depth() - 1;
+        let [mut arrays, mut steps, mut views] = [(); 3].map(|()| String::new());
+        // Each array with its fields, the number of the first of each field, the word that is written, and where it is.
+        for (number, array) in BOXES.iter().enumerate() {
+            let is_note = *array == NOTES;
+            let fields = if is_note { &notes } else { &borders };
+            let (width, high) = (width_of(fields), width_of(fields) - 1);
+            let word = if is_note { NOTES_WORD } else { BORDERS_WORD };
+            let writes = if number == 0 {
                 "write & ~write_leaf[0]"
             } else {
                 "write"
             };
-            reads += &format!(
-                "\x20 if (read) look_{leaf} <= {array}[read_address];\n\
-                 \x20 found_{leaf} <= look_{leaf};\n\
-                 \x20 if ({writes}) {array}[write_address] <= box;\n"
+            arrays += &format!(
+                "(* no_rw_check *) reg [{high}:0] {array} [0:{last}];\n\
+                 reg [{high}:0] look_{number} = {width}'d0;\n\
+                 reg [{high}:0] found_{number} = {width}'d0;\n"
             );
-            views += &lines(&fields, |name, range, top| {
-                let (stem, index) = match name.split_once('$') {
-                    Some((stem, axis)) => {
-                        let axis: usize = axis.parse().expect("borders are numbered by axis");
-                        (stem, AXES * leaf + axis)
-                    }
-                    None => (name, leaf),
-                };
+            steps += &format!(
+                "\x20 if (read) look_{number} <= {array}[read_address];\n\
+                 \x20 found_{number} <= look_{number};\n\
+                 \x20 if ({writes}) {array}[write_address] <= {word};\n"
+            );
+            let first = if is_note { 0 } else { OF_LEAF * number };
+            views += &lines(fields, |name, range, top| {
+                let (stem, place) = name.split_once('$').expect("the ports are numbered");
+                let index = first + place.parse::<usize>().expect("by their place");
                 format!(
-                    "wire [{top}:0] of_look_{stem}_{index} = look_{leaf}[{range}];\n\
-                     wire [{top}:0] of_found_{stem}_{index} = found_{leaf}[{range}];\n\
+                    "wire [{top}:0] of_look_{stem}_{index} = look_{number}[{range}];\n\
+                     wire [{top}:0] of_found_{stem}_{index} = found_{number}[{range}];\n\
                      always @(*) found_{stem}${index} = of_found_{stem}_{index};\n"
                 )
             });
         }
+        let [borders_high, notes_high] = [&borders, &notes].map(|fields| width_of(fields) - 1);
         Verilog::Custom(format!(
             "{arrays}\
-             wire [{high}:0] box = {{{word}}};\n\
+             wire [{borders_high}:0] {BORDERS_WORD} = {{{of_leaf}}};\n\
+             wire [{notes_high}:0] {NOTES_WORD} = {{{of_pair}}};\n\
              wire [{KB}:0] write_address = {{write_bank, write_leaf[{KB}:1]}};\n\
              wire [{KB}:0] read_address = {{read_bank, read_pair}};\n\
-             always @(posedge clock) begin\n{reads}end\n{views}",
-            word = concatenation(&fields),
+             always @(posedge clock) begin\n{steps}end\n{views}",
+            of_leaf = concatenation(&borders),
+            of_pair = concatenation(&notes),
         ))
     }
 }

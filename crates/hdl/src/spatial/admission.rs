@@ -47,6 +47,8 @@ pub(crate) struct Admission {
     _sizes: HeadSizes,
     /// Whether few LUTs stand before the flags of the entry, which are far away beside engine 0.
     _short_paths: bool,
+    /// Whether every group is taken, see [`Spatial::paced`].
+    _paced: bool,
 }
 
 /// The handshakes of one clock.
@@ -65,6 +67,7 @@ impl Admission {
             _engines: spatial.engines() as u64,
             _sizes: HeadSizes::of(spatial),
             _short_paths: spatial.is_fine(),
+            _paced: spatial.paced,
         };
             clock reset query_valid group_valid group_last batch_read query_ready group_ready taken first_taken
             last_taken token_valid is_full has_room clocks_to_last _loaded _open _has_batch _spacing _waits
@@ -81,7 +84,8 @@ impl Admission {
         let open = self._open.0 != 0;
         let full = self._loaded.0 == self._engines;
         let fits = self._waits.0 == 0 && self.has_room();
-        let group_ready = self._has_batch.0 != 0 && (!self.group_last.val() || fits);
+        let decided = self._has_batch.0 != 0 && (!self.group_last.val() || fits);
+        let group_ready = self._paced || decided;
         let group = self.group_valid.val() && group_ready;
         let first = group && !open;
         let query_ready = !full || first;
@@ -102,6 +106,18 @@ impl Admission {
         if taken.group {
             self._open.0 = u64::from(!taken.last);
         }
+        if !self._paced {
+            self.count(&taken);
+        }
+        if self.reset.val() {
+            (self._loaded, self._open, self._has_batch) = Default::default();
+            (self._spacing, self._waits) = Default::default();
+            (self._gives_back, self._promised) = Default::default();
+        }
+    }
+
+    /// Counts what decides whether a group is taken.
+    fn count(&mut self, taken: &Taken) {
         self._spacing.0 = match taken.last {
             true => u64::from(self._sizes.spacing) - 1,
             false => self._spacing.0.saturating_sub(1),
@@ -118,11 +134,6 @@ impl Admission {
             _ => self._promised.0,
         };
         self._has_batch.0 = u64::from(self._open.0 != 0 || self._loaded.0 == self._engines);
-        if self.reset.val() {
-            (self._loaded, self._open, self._has_batch) = Default::default();
-            (self._spacing, self._waits) = Default::default();
-            (self._gives_back, self._promised) = Default::default();
-        }
     }
 }
 
@@ -155,11 +166,55 @@ impl Logic for Admission {
         self.clocks_to_last.connect();
     }
 
-    /// The Verilog. The next `open`, `has_batch` and `loaded` are written so that no more than two LUTs stand
-    /// before a register, because the groups that are taken decide them in the same clock. Where all queries
-    /// of the next batch are loaded, the end of an open batch leaves a batch that can be opened, so
-    /// `has_batch` stays set.
     fn hdl(&self) -> Verilog {
+        Verilog::Custom(match self._paced {
+            true => self.paced_text(),
+            false => self.text(),
+        })
+    }
+}
+
+impl Admission {
+    /// The Verilog where every group is taken. A block of `always @(*)` that reads no signal never runs in a simulator, so the outputs that are
+    /// constant come from the register `one`, which synthesis removes.
+    fn paced_text(&self) -> String {
+        let bits = self._sizes.loaded_bits;
+        format!(
+            "reg [{l}:0] loaded = {bits}'d0;\n\
+             reg open = 1'd0;\n\
+             reg one = 1'd1;\n\
+             wire full = loaded[{l}];\n\
+             wire takes_first = group_valid & ~open;\n\
+             wire takes_last = group_valid & group_last;\n\
+             wire admits_query = ~full | takes_first;\n\
+             always @(*) query_ready = admits_query;\n\
+             always @(*) group_ready = one;\n\
+             always @(*) taken = group_valid;\n\
+             always @(*) first_taken = takes_first;\n\
+             always @(*) last_taken = takes_last;\n\
+             always @(*) token_valid = query_valid & admits_query & ~reset;\n\
+             always @(*) is_full = full;\n\
+             always @(*) has_room = one;\n\
+             always @(*) clocks_to_last = {{16{{~one}}}};\n\
+             always @(posedge clock) begin\n\
+             \x20 one <= 1'd1;\n\
+             \x20 loaded <= {loaded};\n\
+             \x20 if (group_valid) open <= ~group_last;\n\
+             \x20 if (reset) begin\n\
+             \x20   loaded <= {bits}'d0;\n\
+             \x20   open <= 1'd0;\n\
+             \x20 end\n\
+             end\n",
+            l = bits - 1,
+            loaded = next_loaded(bits),
+        )
+    }
+
+    /// The Verilog where the head decides whether a group is taken. The next `open`, `has_batch` and `loaded` are written so
+    /// that no more than two LUTs stand before a register, because the groups that are taken decide them in the same clock.
+    /// Where all queries of the next batch are loaded, the end of an open batch leaves a batch that can be opened, so
+    /// `has_batch` stays set.
+    fn text(&self) -> String {
         let HeadSizes {
             spacing,
             loaded_bits,
@@ -221,7 +276,7 @@ impl Logic for Admission {
                 "fills_up | (follows & ~blocked)",
             ],
         };
-        Verilog::Custom(format!(
+        format!(
             "reg [{l}:0] loaded = {loaded_bits}'d0;\n\
              reg open = 1'd0;\n\
              reg has_batch = 1'd0;\n\
@@ -274,14 +329,18 @@ impl Logic for Admission {
                 _ => format!("query_valid & (&loaded[{}:0])", loaded_bits - 2),
             },
             pad = 16 - spacing_bits,
-            loaded = match loaded_bits {
-                1 => "query_valid | (loaded & ~takes_first)".to_owned(),
-                more => format!(
-                    "takes_first ? {{{rest}'d0, query_valid}} : \
-                     loaded + {{{rest}'d0, query_valid & ~full}}",
-                    rest = more - 1
-                ),
-            },
-        ))
+            loaded = next_loaded(loaded_bits),
+        )
+    }
+}
+
+/// The number of queries taken for the next batch, a clock later. It has that many bits.
+fn next_loaded(bits: u32) -> String {
+    match bits {
+        1 => "query_valid | (loaded & ~takes_first)".to_owned(),
+        more => format!(
+            "takes_first ? {{{rest}'d0, query_valid}} : loaded + {{{rest}'d0, query_valid & ~full}}",
+            rest = more - 1
+        ),
     }
 }

@@ -9,7 +9,7 @@ use super::slice::Places;
 pub(super) struct Link<W, const N: usize> {
     /// The credits: places that the stream knows to be empty.
     left: usize,
-    /// What is in each stage of the way, the next to arrive in front.
+    /// What is in each stage of the way and in the queue's memory for its first clock, the next to arrive in front.
     on_the_way: VecDeque<Option<W>>,
     places: Places<W, N>,
     /// Whether a credit is in each stage of the way back, the next to arrive in front.
@@ -21,7 +21,7 @@ impl<W: Clone, const N: usize> Link<W, N> {
     pub(super) fn new(stages: usize) -> Self {
         Self {
             left: N,
-            on_the_way: vec![None; stages].into(),
+            on_the_way: vec![None; stages + 1].into(),
             places: Places::default(),
             returning: vec![false; stages].into(),
         }
@@ -29,7 +29,7 @@ impl<W: Clone, const N: usize> Link<W, N> {
 
     /// The stages in front of the queue.
     pub(super) fn stages(&self) -> usize {
-        self.on_the_way.len()
+        self.returning.len()
     }
 
     /// A word may leave the stream, unless there is a reset.

@@ -67,6 +67,8 @@ pub(super) struct Registers {
     read_answer: Option<LiteAnswer>,
     /// The read that was taken in the clock before: its register, if there is one at its address.
     reading: Option<Option<CoreRegisterRow>>,
+    /// The answer that was found in the clock before.
+    found: Option<LiteAnswer>,
     /// The next clock is a reset of streams and chains.
     pub(super) reset: bool,
     events: u32,
@@ -74,6 +76,10 @@ pub(super) struct Registers {
     stall_limit: u32,
     pub(super) settings: Settings,
     under_way: u32,
+    /// Whether a query was given in the clock before.
+    query_came: bool,
+    /// Whether the last result of a query left in the clock before.
+    result_went: bool,
     /// Whether the clock before was silent.
     seen_silent: bool,
     /// Silent clocks up to the one before that.
@@ -107,12 +113,15 @@ impl Registers {
             write_answer: None,
             read_answer: None,
             reading: None,
+            found: None,
             reset: false,
             events: 0,
             interrupt_enable: 0,
             stall_limit: limit.map_or(0, |row| row.reset),
             settings: Settings::default(),
             under_way: 0,
+            query_came: false,
+            result_went: false,
             seen_silent: false,
             silent_clocks: 0,
             counter_high: 0,
@@ -152,7 +161,7 @@ impl Registers {
 
     /// A read is taken if there is one.
     pub(super) fn is_ready_to_read(&self) -> bool {
-        self.read_answer.is_none() && self.reading.is_none()
+        self.read_answer.is_none() && self.reading.is_none() && self.found.is_none()
     }
 
     /// A write is taken.
@@ -213,8 +222,10 @@ impl Registers {
         let reads = lite.read_address_valid && self.is_ready_to_read();
         let taken = reads.then(|| self.at(lite.read_address).cloned());
         let read = std::mem::replace(&mut self.reading, taken);
+        let found = read.map(|row| self.find(row, happens));
+        let found = std::mem::replace(&mut self.found, found);
         let write_refused = write.is_some_and(|write| write.register.is_none());
-        let read_refused = matches!(read, Some(None));
+        let read_refused = found.is_some_and(|answer| answer.refused);
         let refused = u64::from(write_refused) + u64::from(read_refused);
         let stalls = self.stalls(happens);
         let seen = Seen {
@@ -223,13 +234,16 @@ impl Registers {
             refused,
             events: self.occurs(happens, refused > 0, stalls),
         };
-        self.answer_read(lite, read, happens);
+        self.answer_read(lite, found);
         let before = std::mem::replace(&mut self.before, seen);
         self.count(&before);
         self.answer_write(lite, write);
         self.events |= before.events;
-        self.under_way += u32::from(happens.query_given);
-        self.under_way -= u32::from(happens.result_ends);
+        self.under_way += u32::from(std::mem::replace(&mut self.query_came, happens.query_given));
+        self.under_way -= u32::from(std::mem::replace(
+            &mut self.result_went,
+            happens.result_ends,
+        ));
         if let Some(write) = write
             && write.register == Some(CoreRegister::Control)
             && write.word & CoreRegister::CLEAR_COUNTERS != 0
@@ -238,6 +252,8 @@ impl Registers {
         }
         if resets {
             self.under_way = 0;
+            self.query_came = false;
+            self.result_went = false;
             self.seen_silent = false;
             self.silent_clocks = 0;
         }
@@ -266,7 +282,7 @@ impl Registers {
     }
 
     fn occurs(&self, happens: &Happens, refused: bool, stalls: bool) -> u32 {
-        let ends = happens.result_ends && self.under_way == 1 && !happens.query_given;
+        let ends = self.result_went && self.under_way == 1 && !self.query_came;
         let events = [
             (CoreEvent::Done, ends),
             (CoreEvent::LeafMalformed, happens.leaf_malformed),
@@ -280,24 +296,23 @@ impl Registers {
         occurring.map(|(event, _)| event.bit()).sum()
     }
 
-    fn answer_read(
-        &mut self,
-        lite: &LiteIn,
-        read: Option<Option<CoreRegisterRow>>,
-        happens: &Happens,
-    ) {
-        let Some(row) = read else {
-            if lite.read_answer_ready {
-                self.read_answer = None;
-            }
-            return;
-        };
-        self.read_answer = Some(LiteAnswer {
+    /// The answer to a read of a register, as the registers are in this clock.
+    fn find(&mut self, row: Option<CoreRegisterRow>, happens: &Happens) -> LiteAnswer {
+        let answer = LiteAnswer {
             refused: row.is_none(),
             word: row.as_ref().map_or(0, |row| self.word(row, happens)),
-        });
+        };
         if let Some(CoreRegister::CounterLow(counter)) = row.map(|row| row.register) {
             self.counter_high = (self.counters[counter as usize] >> 32) as u32;
+        }
+        answer
+    }
+
+    fn answer_read(&mut self, lite: &LiteIn, found: Option<LiteAnswer>) {
+        match found {
+            Some(_) => self.read_answer = found,
+            None if lite.read_answer_ready => self.read_answer = None,
+            None => {}
         }
     }
 

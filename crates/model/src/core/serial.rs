@@ -389,9 +389,9 @@ impl SerialModel {
                 _ => outputs.write_answer,
             }
         };
-        // A read is answered a clock after a write.
-        let answer = answer().or_else(answer);
-        let LiteAnswer { refused, word } = answer.expect("the core answers within two clocks");
+        // A read is answered two clocks after a write.
+        let answer = (0..3).find_map(|_| answer());
+        let LiteAnswer { refused, word } = answer.expect("the core answers within three clocks");
         let mut payload = vec![if refused { SLVERR } else { 0 }];
         match kind {
             SerialKind::Read => {

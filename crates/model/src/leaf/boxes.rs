@@ -1,4 +1,4 @@
-//! The boxes around the leaves of both banks, and the sets that are ready to be played.
+//! The boxes around the groups of both banks, leaf by leaf, and the sets that are ready to be played.
 
 use photoncube_spec::{Group, Leaf, Machine, Spatial, Widths};
 
@@ -27,15 +27,23 @@ impl Bounds {
     }
 }
 
-/// A leaf's entry beside its box.
+/// A leaf's entry.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct LeafBox {
-    pub(super) bounds: Bounds,
+    /// The boxes of its groups.
+    pub(super) groups: [Bounds; Leaf::GROUPS],
+    pub(super) note: Note,
+}
+
+/// What an entry has beside the boxes.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Note {
     pub(super) facing: u32,
+    /// The leaf has one group.
     pub(super) short: bool,
 }
 
-/// A stage on the way from a group to the box of its leaf.
+/// A stage on the way from a group to the entry of its leaf.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct Stage {
     pub(super) valid: bool,
@@ -64,7 +72,9 @@ pub(super) struct Boxes {
     pub(super) of_group: Bounds,
     /// The stage of the leaf that is complete; `place` is the leaf's number.
     pub(super) leaf: Stage,
-    pub(super) of_leaf: LeafBox,
+    pub(super) of_leaf: [Bounds; Leaf::GROUPS],
+    /// The facings and lengths of the leaf's pair.
+    pub(super) notes: [Note; Leaf::PAIR],
     pub(super) sets: [BankSet; 2],
 }
 
@@ -80,7 +90,8 @@ impl Boxes {
             group: Stage::default(),
             of_group: Bounds::default(),
             leaf: Stage::default(),
-            of_leaf: LeafBox::default(),
+            of_leaf: Default::default(),
+            notes: Default::default(),
             sets: Default::default(),
         }
     }
@@ -102,13 +113,17 @@ impl Boxes {
         let group = self.group;
         let is_first = group.place.is_multiple_of(Leaf::GROUPS);
         if group.valid {
-            self.of_leaf.bounds = match is_first {
+            let first = match is_first {
                 true => self.of_group,
-                false => self.of_leaf.bounds.around(self.of_group),
+                false => self.of_leaf[0],
             };
+            self.of_leaf = [first, self.of_group];
+            let own = group.place / Leaf::GROUPS % Leaf::PAIR;
+            self.notes[own..].fill(Note {
+                facing: group.facing,
+                short: is_first,
+            });
         }
-        self.of_leaf.facing = group.facing;
-        self.of_leaf.short = is_first;
         self.leaf = Stage {
             valid: group.valid && (!is_first || group.last),
             place: group.place / Leaf::GROUPS,
@@ -149,10 +164,13 @@ impl Boxes {
         if !valid {
             return;
         }
-        let first = bank * self.bank_leaves + place;
-        self.leaves[first] = self.of_leaf;
-        if place.is_multiple_of(Leaf::PAIR) {
-            self.leaves[first + 1] = self.of_leaf;
+        let own = bank * self.bank_leaves + place;
+        let first = own - place % Leaf::PAIR;
+        for (entry, note) in self.leaves[first..].iter_mut().zip(self.notes) {
+            entry.note = note;
+        }
+        for entry in &mut self.leaves[own..first + Leaf::PAIR] {
+            entry.groups = self.of_leaf;
         }
         if last {
             self.sets[bank] = BankSet {

@@ -47,10 +47,10 @@ impl LeafMachine {
             R::HalfHigh => row.extend(high(&boxes.halves)),
             R::GroupLow => row.extend(low(&[boxes.of_group])),
             R::GroupHigh => row.extend(high(&[boxes.of_group])),
-            R::BoxShort => one(boxes.of_leaf.short.into()),
-            R::BoxFacing => one(boxes.of_leaf.facing.into()),
-            R::BoxLow => row.extend(low(&[boxes.of_leaf.bounds])),
-            R::BoxHigh => row.extend(high(&[boxes.of_leaf.bounds])),
+            R::BoxShort => boxes.notes.iter().for_each(|note| one(note.short.into())),
+            R::BoxFacing => boxes.notes.iter().for_each(|note| one(note.facing.into())),
+            R::BoxLow => row.extend(low(&boxes.of_leaf)),
+            R::BoxHigh => row.extend(high(&boxes.of_leaf)),
             R::Full => boxes.sets.iter().for_each(|set| one(set.full.into())),
             R::End => boxes.sets.iter().for_each(|set| one(set.end as u64)),
             R::Loaded => one(former.loaded.into()),
@@ -92,6 +92,8 @@ impl LeafMachine {
             R::WordBlank => one(player.word.blank.into()),
             R::TagWrite => one(tags.write as u64),
             R::TagRead => one(tags.read as u64),
+            R::HasOldest => one(tags.has_oldest.into()),
+            R::Oldest => one(tags.oldest_word()),
             R::TagResult => one(tags.result.into()),
             R::WritePresent | R::WritePosition | R::WritePower | R::WriteExponent => {
                 self.words(register, &self.memory.write, row);
@@ -187,16 +189,16 @@ fn of_pair(register: LeafRegister, pair: Pair) -> u64 {
 
 fn looked(register: LeafRegister, looked: &Looked, row: &mut Vec<u64>) {
     use LeafRegister as R;
-    let boxes = looked.leaves.map(|leaf| leaf.bounds);
+    let boxes = looked.leaves.map(|leaf| leaf.groups).concat();
     match register {
         R::LookSecond | R::FoundSecond => row.push(looked.second.into()),
         R::LookLow | R::FoundLow => row.extend(low(&boxes)),
         R::LookHigh | R::FoundHigh => row.extend(high(&boxes)),
         R::LookFacing | R::FoundFacing => {
-            row.extend(looked.leaves.map(|leaf| u64::from(leaf.facing)));
+            row.extend(looked.leaves.map(|leaf| u64::from(leaf.note.facing)));
         }
         R::LookShort | R::FoundShort => {
-            row.extend(looked.leaves.map(|leaf| u64::from(leaf.short)));
+            row.extend(looked.leaves.map(|leaf| u64::from(leaf.note.short)));
         }
         _ => row.push(of_pair(register, looked.pair)),
     }

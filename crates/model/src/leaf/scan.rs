@@ -1,4 +1,4 @@
-//! The boxes of all leaves of a set are compared with the box of a batch.
+//! The boxes of all groups of a set are compared with the box of a batch.
 
 use std::collections::VecDeque;
 
@@ -29,12 +29,12 @@ impl Geometry {
 
     /// Whether two boxes are within the radius of each other. The middles of two cells of unequal sizes are at least a
     /// half step apart on each axis.
-    fn is_in_range(self, queries: Bounds, leaf: Bounds) -> bool {
+    fn is_in_range(self, queries: Bounds, group: Bounds) -> bool {
         let least = u64::from(self.extra_bits > 0);
         let gaps = [0, 1, 2].map(|axis| {
             let query = |place: u32| 2 * place + 1;
             let photon = |place: u32| (2 * place + 1) << self.extra_bits;
-            let (low, high) = (photon(leaf.low[axis]), photon(leaf.high[axis]));
+            let (low, high) = (photon(group.low[axis]), photon(group.high[axis]));
             let gap = if low > query(queries.high[axis]) {
                 low - query(queries.high[axis])
             } else {
@@ -76,7 +76,8 @@ pub(super) struct Culled {
     pub(super) facing: [usize; Leaf::PAIR],
     pub(super) gathered: [bool; Leaf::PAIR],
     pub(super) short: [bool; Leaf::PAIR],
-    in_range: [bool; Leaf::PAIR],
+    /// For each leaf, whether the boxes of its groups are in range.
+    in_range: [[bool; Leaf::GROUPS]; Leaf::PAIR],
 }
 
 /// A pair whose groups are played.
@@ -88,15 +89,18 @@ pub(super) struct Wanted {
 }
 
 impl Culled {
-    /// The groups of the leaves that are wanted.
+    /// The groups of a leaf that are wanted.
+    fn of_leaf(&self, leaf: usize) -> u32 {
+        let [first, second] = self.in_range[leaf];
+        match self.gathered[leaf] {
+            true => u32::from(first) | u32::from(second && !self.short[leaf]) << 1,
+            false => 0,
+        }
+    }
+
+    /// The groups of the pair that are wanted.
     fn mask(&self) -> u32 {
-        let bits =
-            |leaf: usize| match (self.gathered[leaf] && self.in_range[leaf], self.short[leaf]) {
-                (false, _) => 0b00,
-                (true, true) => 0b01,
-                (true, false) => 0b11,
-            };
-        bits(0) | bits(1) << Leaf::GROUPS
+        self.of_leaf(0) | self.of_leaf(1) << Leaf::GROUPS
     }
 }
 
@@ -167,11 +171,9 @@ impl Scan {
     /// The leaves of the pair in the last stage that are wanted.
     pub(super) fn wanted(&self) -> u32 {
         let last = self.cull.back().filter(|culled| culled.pair.valid);
-        let is_wanted = |culled: &Culled, leaf| culled.gathered[leaf] && culled.in_range[leaf];
-        let count = |culled| {
-            (0..Leaf::PAIR)
-                .filter(|&leaf| is_wanted(culled, leaf))
-                .count()
+        let count = |culled: &Culled| {
+            let leaves = 0..Leaf::PAIR;
+            leaves.filter(|&leaf| culled.of_leaf(leaf) != 0).count()
         };
         last.map_or(0, count) as u32
     }
@@ -252,20 +254,21 @@ impl Scan {
         let near = Leaf::FACINGS_NEAR;
         let is_there = [found.pair.valid, found.second];
         let gathers = |leaf: usize, other: u32| {
-            let facing = found.leaves[leaf].facing / near * near + other;
+            let facing = found.leaves[leaf].note.facing / near * near + other;
             is_there[leaf] && self.facings >> facing & 1 == 1
         };
         let near_of = |leaf| [0, 1, 2, 3].map(|other| gathers(leaf, other));
-        let leaf_facing = |leaf: usize| found.leaves[leaf].facing % near;
+        let leaf_facing = |leaf: usize| found.leaves[leaf].note.facing % near;
         Culled {
             pair: found.pair,
             near: [0, 1].map(near_of),
             facing: [0, 1].map(|leaf| leaf_facing(leaf) as usize),
             gathered: [0, 1].map(|leaf| gathers(leaf, leaf_facing(leaf))),
-            short: found.leaves.map(|leaf| leaf.short),
-            in_range: found
-                .leaves
-                .map(|leaf| self.geometry.is_in_range(self.bounds, leaf.bounds)),
+            short: found.leaves.map(|leaf| leaf.note.short),
+            in_range: found.leaves.map(|leaf| {
+                leaf.groups
+                    .map(|group| self.geometry.is_in_range(self.bounds, group))
+            }),
         }
     }
 
@@ -334,9 +337,9 @@ mod tests {
 
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4_000))]
-        /// With whole steps and on half steps: where a photon of a leaf is in range of a query of a batch, so are their boxes.
+        /// With whole steps and on half steps: where a photon of a group is in range of a query of a batch, so are their boxes.
         #[test]
-        fn no_leaf_with_a_photon_in_range_is_skipped(
+        fn no_group_with_a_photon_in_range_is_skipped(
             whole in (points(9), points(9)),
             half in (points(10), points(8)),
         ) {

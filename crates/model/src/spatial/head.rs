@@ -13,6 +13,8 @@ use super::memory::HeadStatus;
 pub(super) struct Head {
     pub(super) sizes: HeadSizes,
     engines: u32,
+    /// Whether each group is given only when it can be taken. The registers that decide this are then no signals of the machine.
+    pub(super) paced: bool,
     /// Bits of a decoded power.
     power_bits: u32,
     pub(super) loaded: u32,
@@ -53,6 +55,7 @@ impl Head {
         Self {
             sizes,
             engines: spatial.engines() as u32,
+            paced: spatial.paced,
             power_bits,
             loaded: 0,
             open: false,

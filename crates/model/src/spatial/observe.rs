@@ -16,6 +16,12 @@ impl Head {
         let lanes = self.entry.lanes.iter();
         for register in HeadRegister::ALL {
             match register {
+                HeadRegister::HasBatch
+                | HeadRegister::Spacing
+                | HeadRegister::Waits
+                | HeadRegister::BatchRead
+                | HeadRegister::Promised
+                    if self.paced => {}
                 HeadRegister::Loaded => row.push(self.loaded.into()),
                 HeadRegister::Open => row.push(self.open.into()),
                 HeadRegister::Spacing => row.push(self.spacing.into()),

@@ -165,6 +165,7 @@ fn built() -> impl Strategy<Value = Machine> {
                     // machines are.
                     others: others.leak(),
                     memory_groups: 0,
+                    paced: false,
                 };
                 with_spatial(&machine, spatial)
             },

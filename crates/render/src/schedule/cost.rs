@@ -1,13 +1,12 @@
 //! What a schedule costs: photon tests and clocks.
 
+use photoncube_spec::Leaf;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Batch, Batches, Cull, Leaves};
+use super::leaves::GROUP;
+use super::{Batch, Batches, Bounds, Cull, Leaves};
 use crate::quantise::QuantisedMap;
-
-/// Photons that a chain is given in a clock.
-const LANES: u64 = 4;
 
 /// The cost of all batches of a picture.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
@@ -16,14 +15,14 @@ pub struct Cost {
     pub queries: u64,
     /// Batches of these queries.
     pub batches: u64,
-    /// Leaves of the blocks around the batches, whose boxes are compared.
+    /// Leaves of the blocks around the batches, whose groups' boxes are compared.
     pub leaves_compared: u64,
-    /// Leaves that are within the radius of their batch, and are read.
-    pub leaves_read: u64,
-    /// Photon tests: each place of a leaf that is read, in each engine of the chain, whether it holds a query or not.
+    /// Groups whose box is within the radius of their batch, and which are read.
+    pub groups_read: u64,
+    /// Photon tests: each place of a group that is read, in each engine of the chain, whether it holds a query or not.
     pub photon_tests: u64,
-    /// Clocks of one chain for all batches: for each the longer of comparing the leaves, one a clock, and of reading
-    /// those that are near, four photons a clock.
+    /// Clocks of one chain for all batches: for each the longer of comparing the leaves, two a clock, and of reading
+    /// the groups that are near, one a clock.
     #[serde(rename = "chain_clocks")]
     pub clocks: u64,
     /// The clocks in which photons are read.
@@ -36,7 +35,7 @@ impl Cost {
             queries: self.queries + other.queries,
             batches: self.batches + other.batches,
             leaves_compared: self.leaves_compared + other.leaves_compared,
-            leaves_read: self.leaves_read + other.leaves_read,
+            groups_read: self.groups_read + other.groups_read,
             photon_tests: self.photon_tests + other.photon_tests,
             clocks: self.clocks + other.clocks,
             reading_clocks: self.reading_clocks + other.reading_clocks,
@@ -57,18 +56,18 @@ pub fn cost(map: &QuantisedMap<'_>, leaves: &Leaves, batches: &Batches, cull: Cu
         let (mut all, mut read) = (0_u64, 0_u64);
         for leaf in compared {
             all += 1;
-            read += u64::from(cull.reads(leaf.bounds, batch.bounds, radius));
+            let groups = leaf.groups.iter();
+            let is_read = |group: &&Bounds| cull.reads(**group, batch.bounds, radius);
+            read += groups.filter(is_read).count() as u64;
         }
-        let size = u64::from(leaves.size());
-        let reading = read * size.div_ceil(LANES);
         Cost {
             queries: batch.queries.len() as u64,
             batches: 1,
             leaves_compared: all,
-            leaves_read: read,
-            photon_tests: read * size * u64::from(batches.size),
-            clocks: reading.max(all),
-            reading_clocks: reading,
+            groups_read: read,
+            photon_tests: read * GROUP as u64 * u64::from(batches.size),
+            clocks: read.max(all.div_ceil(Leaf::PAIR as u64)),
+            reading_clocks: read,
         }
     };
     let costs = batches.batches.par_iter().map(one);

@@ -1,21 +1,31 @@
-//! Leaves: a few photons of one facing, with the box around them.
+//! Leaves: a few photons of one facing in groups, with the box around each group.
 
 use std::ops::Range;
 
-use photoncube_spec::PhotonFormat;
+use photoncube_spec::{PhotonFormat, Spatial};
 use rayon::prelude::*;
 
 use super::{Bounds, close_together};
 use crate::quantise::QuantisedMap;
 
+/// Photons of a group, which a chain is given in a clock.
+pub const GROUP: usize = Spatial::LANES;
+
 /// A leaf.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Leaf {
-    /// The box around the middles of the photons' cells.
-    pub bounds: Bounds,
-    /// The photons, as indices into [`QuantisedMap::records`]. A leaf of a run's last photons may have fewer than the
-    /// others.
+    /// The box around the middles of the photons' cells, for each group.
+    pub groups: Vec<Bounds>,
+    /// The photons, as indices into [`QuantisedMap::records`], in groups of [`GROUP`]. A leaf of a run's last photons may have fewer than
+    /// the others.
     pub photons: Vec<u32>,
+}
+
+impl Leaf {
+    /// The photons of each group, with its box.
+    pub fn groups(&self) -> impl Iterator<Item = (&Bounds, &[u32])> {
+        self.groups.iter().zip(self.photons.chunks(GROUP))
+    }
 }
 
 /// The leaves of a map, run by run.
@@ -29,7 +39,7 @@ pub struct Leaves {
 }
 
 impl Leaves {
-    /// Puts the photons of each run into leaves of `size`, each of photons that are close together.
+    /// Puts the photons of each run into leaves of `size`, each of photons that are close together, as are those of each of its groups.
     ///
     /// # Panics
     /// For leaves without photons, or a map in plain numbers, which has no cells.
@@ -91,12 +101,16 @@ fn of_run(
             (2 * cell + 1) << format.query_extra_bits
         })
     };
-    let leaf = |photons: &[u32]| {
-        let bounds = Bounds::around(photons.iter().map(middle));
+    let bounds = |group: &[u32]| {
+        let bounds = Bounds::around(group.iter().map(middle));
+        bounds.expect("a chunk is not empty")
+    };
+    let leaf = |photons: &mut [u32]| {
+        close_together(photons, GROUP, &position);
         Leaf {
-            bounds: bounds.expect("a chunk is not empty"),
+            groups: photons.chunks(GROUP).map(bounds).collect(),
             photons: photons.to_vec(),
         }
     };
-    photons.chunks(size).map(leaf).collect()
+    photons.chunks_mut(size).map(leaf).collect()
 }

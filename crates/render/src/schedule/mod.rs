@@ -1,8 +1,8 @@
 //! The schedule of a chip with several chains of engines: which photons each chain is given for which queries.
 //!
-//! Photons are stored in *leaves*, a few photons of one facing that are close to each other, each with the box around
-//! them. The queries of a picture are put into *batches*, one query for each engine of a chain. A batch is tested against
-//! the leaves whose box is within the search radius of the box around its queries; the others are skipped unread, since
+//! Photons are stored in *leaves*, a few photons of one facing that are close to each other, in groups of four with a box around
+//! each. The queries of a picture are put into *batches*, one query for each engine of a chain. A batch is tested against
+//! the groups whose box is within the search radius of the box around its queries; the others are skipped unread, since
 //! none of their photons can be in range. [`Leaves`] and [`Batches`] make both from a photon map in the integers of a
 //! photon format, and [`cost`] counts the photon tests and the clocks.
 //!
@@ -64,13 +64,13 @@ impl Bounds {
     }
 }
 
-/// The comparison of a leaf's box with a batch's box. With either, no leaf is skipped that has a photon in range of a
+/// The comparison of a group's box with a batch's box. With either, no group is skipped that has a photon in range of a
 /// query: the distance of two points is no shorter than that of boxes around them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cull {
-    /// A leaf is read if the gap on every axis is at most the radius: comparisons alone.
+    /// A group is read if the gap on every axis is at most the radius: comparisons alone.
     Axes,
-    /// A leaf is read if the distance of the boxes is at most the radius: the squares of the gaps, their sum, and a
+    /// A group is read if the distance of the boxes is at most the radius: the squares of the gaps, their sum, and a
     /// comparison, as an engine does with a photon.
     Distance,
 }
@@ -87,9 +87,9 @@ impl Cull {
         }
     }
 
-    /// Whether a leaf is read for a batch, by their boxes and the radius in half fine steps.
-    pub fn reads(self, leaf: Bounds, batch: Bounds, radius: i64) -> bool {
-        let gaps = leaf.gaps(batch);
+    /// Whether a group is read for a batch, by their boxes and the radius in half fine steps.
+    pub fn reads(self, group: Bounds, batch: Bounds, radius: i64) -> bool {
+        let gaps = group.gaps(batch);
         match self {
             Self::Axes => gaps.into_iter().all(|gap| gap <= radius),
             Self::Distance => gaps.map(|gap| gap * gap).into_iter().sum::<i64>() <= radius * radius,

@@ -44,7 +44,7 @@
 //!   follows. A `reset` empties both, and `m_axis_results_tvalid` is then 0: a result that waits there is taken back.
 //! - *Links.* In front of each chain is a queue with [`Core::LEAF_PLACES`] places for leaves, and one with [`Core::QUERY_PLACES`] for queries.
 //!   A link leads from a slice to each queue. A word passes [`Core::stages`] registers on its way, one in each clock, so for chain n it is in
-//!   the queue n + 2 clocks after it leaves the slice. Its flow control is by credits. After `reset` it has as many credits as places. A word
+//!   the queue n + 2 clocks after it leaves the slice, and a clock later the chain can be given it. Its flow control is by credits. After `reset` it has as many credits as places. A word
 //!   that leaves the slice for the chain takes a credit, and gives it back n + 2 clocks after it leaves the queue. The ready of the link is 1
 //!   where it has a credit and `reset` is 0. A `reset` empties the stages and the queues. So no path leads from a chain to a stream, and none
 //!   is longer than from one chain to the next.
@@ -62,9 +62,10 @@
 //! - *Results.* Each chain has a slice, of its own results and of those that come from the slice of the chain behind it, the one with the next
 //!   number. Where both have a result, the one goes in that is not of the kind that went in last; after `reset` the chain's own goes first.
 //!   The slice of chain 0 gives its results to that of the stream.
-//! - *Reads.* A read is taken where no other waits for its answer. It is answered in the next clock, from the registers as they are then, and
-//!   has then what it does: it sets events, counts, and holds the high word of a counter.
-//! - *Under way* are the queries that were given and whose results, each its last, have not left through `m_axis_results`.
+//! - *Reads.* A read is taken where no other waits for its answer. In the next clock its answer is found, from the registers as they are then,
+//!   and the high word of a counter is held. In the clock behind that it is answered, and sets events and counts.
+//! - *Under way* are the queries that were given and whose results, each its last, have not left through `m_axis_results`. Both are counted a
+//!   clock late, and so is that none is left. A restart forgets what happened in the clock before.
 //! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
 //!   clock. Only [`CoreCounter::Clocks`] counts at once, and what the chains do - leaves compared and wanted, groups played - is two clocks
 //!   late, and not counted where that clock or the next is one of `reset`. The ways to the counters are long, and so are no part of the

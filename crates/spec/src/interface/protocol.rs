@@ -64,8 +64,8 @@ fn sets(machine: &Machine) -> String {
 /// The rules that only leaf machines have.
 fn leaves() -> String {
     "A leaf is two groups of a set that follow each other, the first two and so on. All its photons have one facing, and their \
-     order means nothing. A leaf is skipped where the box around its photons is out of range of the box around the batch's \
-     queries, so photons of a leaf should be close together, and so should queries of a batch. A facing is any number: a leaf of \
+     order means nothing. A group is skipped where the box around its photons is out of range of the box around the batch's \
+     queries, so photons of a group should be close together, and so should queries of a batch. A facing is any number: a leaf of \
      facing i is gathered by the batches with bit i of query_facings, and the machine does nothing else with it."
         .to_owned()
 }

@@ -1,11 +1,11 @@
 //! The leaf machines: a chain of engines behind a memory that gives it only the photons near a batch of queries.
 //!
 //! A [`Spatial`] machine tests every photon of a set against every query. Most of these photons are out of range of all
-//! queries of a batch. A leaf machine stores the photons of a set in *leaves* of 8, and with each leaf the box around its
-//! photons. For each batch it compares the box around the batch's queries with all leaves' boxes, two a clock, and
-//! gives the engines only the leaves that are *wanted*: those whose box is within the search radius of the batch's box,
-//! and whose facing the batch gathers. The engines are those of a spatial machine without a photon memory; its
-//! registers are in [`crate::HeadRegister`] and [`crate::EngineRegister`].
+//! queries of a batch. A leaf machine stores the photons of a set in *leaves* of two groups of four, and with each group the box
+//! around its photons. For each batch it compares the box around the batch's queries with the boxes of all groups, those of two
+//! leaves a clock, and gives the engines only the groups that are *wanted*: those whose box is within the search radius of the
+//! batch's box, and whose facing the batch gathers. A leaf is wanted where a group of it is. The engines are those of a spatial
+//! machine without a photon memory; its registers are in [`crate::HeadRegister`] and [`crate::EngineRegister`].
 //!
 //! # No photon in range is skipped
 //! On each axis an engine computes d = query - photon (on half steps: less the half), and its square grows with |d|. The
@@ -19,7 +19,7 @@
 //! - *Sets*: groups of four photons from a first to one with `group_last`, at most [`Leaf::bank_groups`] of them; the group
 //!   at the last place counts as last. Two groups that follow each other are a leaf. All photons of a leaf have one
 //!   *facing*, `group_facing` of the leaf's last group, a number below [`Leaf::FACINGS`] that the user chooses. A set
-//!   that ends with the first group of a leaf has a leaf of four photons. Leaves of photons that are close together
+//!   that ends with the first group of a leaf has a leaf of four photons. Groups of photons that are close together
 //!   have small boxes.
 //! - *Queries*: a batch is all queries up to one with `query_last`, at most one for each engine; the engine after the last
 //!   query's is not used. The batch gathers the facings in `query_facings` of its first query, one bit for each facing. It
@@ -57,6 +57,8 @@ impl Leaf {
     pub const GROUPS: usize = 2;
     /// Leaves that are compared in a clock: two neighbours, a *pair*.
     pub const PAIR: usize = 2;
+    /// Groups of a pair, each of which has a box.
+    pub const PAIR_GROUPS: usize = Self::PAIR * Self::GROUPS;
     /// The number of facings that the photons of a set may have.
     pub const FACINGS: u32 = 32;
     /// Bits of a facing.
@@ -106,7 +108,7 @@ pub struct LeafSizes {
     pub tag_place: u32,
     /// Bits of a result's number in its batch.
     pub result: u32,
-    /// Clocks from a pair's boxes in `Found` to the decision whether its leaves are wanted.
+    /// Clocks from a pair's boxes in `Found` to the decision which of its groups are wanted.
     pub cull_clocks: u32,
 }
 

@@ -47,7 +47,8 @@ macro_rules! registers {
         /// value where no rule gives it another. A reset sets these to 0 and no other: `FillBank`, `FillPlace`,
         /// `FillReady`, `Filled`, `WriteValid`, `HalfValid`, `GroupValid`, `BoxValid`, `Full`, `Loaded`, `Closed`, `Starting`,
         /// `Started`, `Scanning`, `ScanBank`, `Used`, `Returned`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`,
-        /// `QueueCount`, `EntryValid`, `Spacing`, `MayEnd`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`, `TagResult`.
+        /// `QueueCount`, `EntryValid`, `Spacing`, `MayEnd`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`,
+        /// `HasOldest`, `TagResult`.
         #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum LeafRegister {
             $($(#[doc = $doc])+ $register,)+
@@ -95,7 +96,7 @@ registers! {
     WritePower "write_power" [|d| d.channels * LANES] |d| d.widths.mantissa;
     /// The pins of the group, in every clock: the exponent of each lane, where photons have one.
     WriteExponent "write_exponent" [Dimensions::exponents] |d| d.widths.exponent;
-    /// := `WriteValid`. The stages `Half`, `Group` and `Box` find the box around a leaf.
+    /// := `WriteValid`. The stages `Half` and `Group` find the box around a group, and `Box` holds those of a leaf.
     HalfValid "half_valid" [|_| 1] |_| 1;
     /// := `WriteBank`.
     HalfBank "half_bank" [|_| 1] |_| 1;
@@ -124,9 +125,9 @@ registers! {
     GroupLow "group_low" [|_| AXES] |d| d.widths.photon;
     /// The higher of the two `HalfHigh` of an axis, in every clock.
     GroupHigh "group_high" [|_| AXES] |d| d.widths.photon;
-    /// := `GroupValid`, and `GroupPlace` is odd or `GroupLast`: a leaf is complete. Where `BoxValid`, `BoxLow`, `BoxHigh`,
-    /// `BoxFacing` and `BoxShort` are written to the boxes at the edge: to those of leaf `BoxLeaf`, and where that is
-    /// even, also to those of the next leaf, so that the boxes of a pair are never undefined.
+    /// := `GroupValid`, and `GroupPlace` is odd or `GroupLast`: a leaf is complete. Where `BoxValid`, `BoxLow` and `BoxHigh` are
+    /// written to the boxes at the edge: to those of leaf `BoxLeaf`, and where that is even, also to those of the next leaf, so that the
+    /// boxes of a pair are never undefined. `BoxFacing` and `BoxShort` are written for both leaves of the pair.
     BoxValid "box_valid" [|_| 1] |_| 1;
     /// := `GroupBank`.
     BoxBank "box_bank" [|_| 1] |_| 1;
@@ -134,15 +135,16 @@ registers! {
     BoxLeaf "box_leaf" [|_| 1] |d| d.sizes.leaf;
     /// := `GroupLast`.
     BoxLast "box_last" [|_| 1] |_| 1;
-    /// := `GroupPlace` is even: a leaf that is complete has one group.
-    BoxShort "box_short" [|_| 1] |_| 1;
-    /// := `GroupFacing`.
-    BoxFacing "box_facing" [|_| 1] |_| Leaf::FACING_BITS;
-    /// The low border of the leaf's box. Where `GroupValid`: := `GroupLow` if `GroupPlace` is even, else the lower of
-    /// `BoxLow` and `GroupLow`.
-    BoxLow "box_low" [|_| AXES] |d| d.widths.photon;
-    /// The high border, by the rule of `BoxLow`.
-    BoxHigh "box_high" [|_| AXES] |d| d.widths.photon;
+    /// For each leaf of the pair, whether it has one group. Where `GroupValid`: that of the second leaf := `GroupPlace` is even; that of the
+    /// first too if the group is one of the first leaf, as `GroupPlace` / 2 is even.
+    BoxShort "box_short" [|_| Leaf::PAIR] |_| 1;
+    /// For each leaf of the pair, `GroupFacing`, by the rule of `BoxShort`.
+    BoxFacing "box_facing" [|_| Leaf::PAIR] |_| Leaf::FACING_BITS;
+    /// The low borders of the boxes of the leaf's groups: axis a of group g is at 3 g + a. Where `GroupValid`: those of the second group :=
+    /// `GroupLow`; those of the first too if `GroupPlace` is even.
+    BoxLow "box_low" [|_| AXES * Leaf::GROUPS] |d| d.widths.photon;
+    /// The high borders, by the rule of `BoxLow`.
+    BoxHigh "box_high" [|_| AXES * Leaf::GROUPS] |d| d.widths.photon;
     /// For each bank, whether all boxes of its set are written. := 1 where `BoxValid` and `BoxLast`, for `BoxBank`; := 0 where the
     /// bank is freed.
     Full "full" [|_| 2] |_| 1;
@@ -205,11 +207,11 @@ registers! {
     LookRelease "look_release" [|_| 1] |_| 1;
     /// The pair has a second leaf. := `ScanPair` is not the last pair or `ScanEnd` is odd, in every clock.
     LookSecond "look_second" [|_| 1] |_| 1;
-    /// The low borders of the pair that is issued: axis a of leaf i of the pair is at 3 i + a. They keep their values where no
+    /// The low borders of the pair that is issued: axis a of group i of the pair is at 3 i + a. They keep their values where no
     /// pair is issued, as all words of `Look` do.
-    LookLow "look_low" [|_| AXES * Leaf::PAIR] |d| d.widths.photon;
+    LookLow "look_low" [|_| AXES * Leaf::PAIR_GROUPS] |d| d.widths.photon;
     /// The high borders.
-    LookHigh "look_high" [|_| AXES * Leaf::PAIR] |d| d.widths.photon;
+    LookHigh "look_high" [|_| AXES * Leaf::PAIR_GROUPS] |d| d.widths.photon;
     /// The facings of the pair's leaves.
     LookFacing "look_facing" [|_| Leaf::PAIR] |_| Leaf::FACING_BITS;
     /// Whether the pair's leaves have one group.
@@ -227,9 +229,9 @@ registers! {
     /// := `LookSecond`.
     FoundSecond "found_second" [|_| 1] |_| 1;
     /// := `LookLow`.
-    FoundLow "found_low" [|_| AXES * Leaf::PAIR] |d| d.widths.photon;
+    FoundLow "found_low" [|_| AXES * Leaf::PAIR_GROUPS] |d| d.widths.photon;
     /// := `LookHigh`.
-    FoundHigh "found_high" [|_| AXES * Leaf::PAIR] |d| d.widths.photon;
+    FoundHigh "found_high" [|_| AXES * Leaf::PAIR_GROUPS] |d| d.widths.photon;
     /// := `LookFacing`.
     FoundFacing "found_facing" [|_| Leaf::PAIR] |_| Leaf::FACING_BITS;
     /// := `LookShort`.
@@ -255,8 +257,9 @@ registers! {
     CullGathered "cull_gathered" [|d| Leaf::PAIR * (d.culls() - 1)] |_| 1;
     /// From `FoundShort`; leaf i of stage s is at 2 s + i.
     CullShort "cull_short" [|d| Leaf::PAIR * d.culls()] |_| 1;
-    /// The place of the next pair in the queue. A pair is *queued* where the last `CullValid`, and a leaf is wanted or
-    /// `CullEnd`: a leaf is wanted where its box is in range and `CullGathered`. Incremented where a pair is queued.
+    /// The place of the next pair in the queue. A pair is *queued* where the last `CullValid`, and a group is wanted or
+    /// `CullEnd`: a group is wanted where its box is in range, `CullGathered` of its leaf, and it is not the second of a leaf with
+    /// `CullShort`. Incremented where a pair is queued.
     QueueWrite "queue_write" [|_| 1] |_| Leaf::QUEUE.ilog2();
     /// The place of the oldest pair in the queue. A pair *leaves* the queue where `QueueCount` is not 0, and not `EntryValid` or the
     /// last group of the entry is played. Incremented where a pair leaves.
@@ -265,8 +268,7 @@ registers! {
     QueueCount "queue_count" [|_| 1] |_| QUEUE_COUNT;
     /// A pair is played. := a pair leaves the queue, or `EntryValid` and not the last group of the entry is played.
     EntryValid "entry_valid" [|_| 1] |_| 1;
-    /// The groups of the pair that are still to be played: those of a wanted leaf, without the second of a short one. Where a
-    /// pair leaves the queue := its groups. Where a group is played, the lowest bit that is set := 0. A group is
+    /// The groups of the pair that are still to be played. Where a pair leaves the queue := those that are wanted. Where a group is played, the lowest bit that is set := 0. A group is
     /// *played* where `EntryValid`; but the *last of a batch* (`EntryEnd` and `EntryLast`) only where also
     /// `MayEnd`.
     EntryMask "entry_mask" [|_| 1] |_| (Leaf::GROUPS * Leaf::PAIR) as u32;
@@ -320,9 +322,14 @@ registers! {
     /// The place of the next tag. Where the chain takes a token, its tag and whether it is a query are written there, and the place
     /// is incremented.
     TagWrite "tag_write" [|_| 1] |d| d.sizes.tag_place;
-    /// The place of the tag of the chain's result. A filler's result is taken from the chain at once; a query's where `result_ready`,
-    /// and `result_valid` shows it. Incremented where a result is taken.
+    /// The place of the oldest tag in the memory. Where there is one (`TagRead` is not `TagWrite`), and `HasOldest` is 0 or a result is
+    /// taken, it is *loaded*: `Oldest` := the word at that place, and the place is incremented.
     TagRead "tag_read" [|_| 1] |d| d.sizes.tag_place;
+    /// `Oldest` is a token under way. := a tag is loaded, or `HasOldest` and no result is taken.
+    HasOldest "has_oldest" [|_| 1] |_| 1;
+    /// The token of the chain's next result: in bit 0 whether it is a query, above that its tag. A filler's result is taken from the chain at
+    /// once; a query's where `result_ready`, and `result_valid` shows it. The chain takes longer than a tag needs to get here.
+    Oldest "oldest" [|_| 1] |_| Leaf::TAG_BITS + 1;
     /// The number of the chain's result in its batch. Where a result is taken := the next, or 0 behind the batch's last.
     TagResult "tag_result" [|_| 1] |d| d.sizes.result;
 }

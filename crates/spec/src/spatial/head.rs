@@ -20,6 +20,8 @@
 //!   shrinks one clock later: `batch_read` := that result is read, and `promised` shrinks by one where
 //!   `batch_read` is set. A single engine has no `batch_read` register, because a query of one group each
 //!   clock would then need one more place in the queue.
+//! - Where [`Spatial::paced`], a group is given only where the rules above take it. So `group_ready` is always 1, and there are no
+//!   registers `has_batch`, `spacing`, `waits`, `promised` and `batch_read`.
 //! - Entry: registers that hold the pins' values one clock later. The coordinates of query and photons, the
 //!   radius, mantissas, exponents and presence (`EntryPresent`) are stored in every clock. `EntryTaken` := a
 //!   group is taken, `EntryTokenValid` := a query is taken, `EntryFirst` := a first group is taken,

@@ -66,6 +66,9 @@ pub struct Spatial {
     /// Groups that each of the two banks of the photon memory holds, a power of two. With 0 there is no
     /// memory, and the group stream goes straight to the head. See [`MemoryRegister`].
     pub memory_groups: u32,
+    /// Whether the groups come from a leaf memory, which gives each one only when the head can take it. The head then takes every group, and
+    /// has no registers to decide whether it may.
+    pub paced: bool,
 }
 
 /// A kind of engine: the implementation of its squares and its pipeline registers. Kinds may differ in the

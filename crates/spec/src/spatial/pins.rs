@@ -45,19 +45,21 @@ impl<'a> SpatialPins<'a> {
         let sizes = HeadSizes::of(self.spatial);
         let stages = self.spatial.latency() as usize;
         let lanes = stages * Spatial::LANES;
+        let decides = usize::from(!self.spatial.paced);
         let (count, width) = match register {
             HeadRegister::Loaded => (1, sizes.loaded_bits),
             HeadRegister::Open
-            | HeadRegister::HasBatch
             | HeadRegister::HasWaiting
             | HeadRegister::HasResult
             | HeadRegister::EntryTokenValid
             | HeadRegister::EntryTaken
             | HeadRegister::EntryFirst
             | HeadRegister::EntryLast => (1, 1),
-            HeadRegister::Spacing => (1, sizes.spacing_bits),
-            HeadRegister::Waits | HeadRegister::BatchRead => (usize::from(sizes.has_waits()), 1),
-            HeadRegister::Promised => (1, sizes.promised_bits),
+            HeadRegister::HasBatch => (decides, 1),
+            HeadRegister::Spacing => (decides, sizes.spacing_bits),
+            HeadRegister::Waits | HeadRegister::BatchRead if !sizes.has_waits() => (0, 1),
+            HeadRegister::Waits | HeadRegister::BatchRead => (decides, 1),
+            HeadRegister::Promised => (decides, sizes.promised_bits),
             HeadRegister::WritePlace | HeadRegister::NewestPlace | HeadRegister::ReadPlace => {
                 (1, sizes.place_bits)
             }

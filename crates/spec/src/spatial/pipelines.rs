@@ -76,11 +76,12 @@ pub(crate) const LEAF: Cuts = Cuts::of(&[
     Cut::GroupPower,
 ]);
 
-/// Engines of leaf machines whose squarers are DSP blocks. They decide as soon as those of `LEAF`, so no in-range flag
-/// waits: the DSP block's registers stand before and behind the product, and there is no magnitude to find.
+/// Engines of leaf machines whose squarers are DSP blocks, and the comparison of boxes. The DSP block's registers stand before and
+/// behind the product, and one holds the difference: a net to a DSP block is long, and on half steps an adder stands before it.
 pub(crate) const LEAF_PRODUCT: EngineKind = EngineKind {
     squarer: Squarer::Product,
     cuts: Cuts::of(&[
+        Cut::Difference,
         Cut::Products,
         Cut::Cross,
         Cut::Pair,
@@ -89,9 +90,8 @@ pub(crate) const LEAF_PRODUCT: EngineKind = EngineKind {
     ]),
 };
 
-/// As `LEAF_PRODUCT`, with a register for the difference. On half steps an adder stands between the difference and the product, and
-/// in the comparison of boxes a choice of two differences.
-pub(crate) const LEAF_LATE_PRODUCT: EngineKind = EngineKind {
-    squarer: Squarer::Product,
-    cuts: LEAF_PRODUCT.cuts.and(Cut::Difference),
+/// Engines of leaf machines whose squarers are tables in block RAMs: `LEAF` with the block RAM's own output register.
+pub(crate) const LEAF_TABLE: EngineKind = EngineKind {
+    squarer: Squarer::Table,
+    cuts: LEAF.and(Cut::Square),
 };

@@ -71,7 +71,7 @@ impl Relation {
 
     /// The relations of a comparison of boxes whose squares are products: a square is 0 or 1 modulo 4.
     fn of_culler() -> Vec<Self> {
-        let gaps = 0..3 * Leaf::PAIR;
+        let gaps = 0..3 * Leaf::PAIR_GROUPS;
         gaps.map(|gap| Self(format!("{UNOBSERVED}{gap}[1] == 0")))
             .collect()
     }
@@ -124,7 +124,7 @@ mod tests {
         }
         assert_eq!(relations[0].with(|_| None), None);
         let squares = Relation::of_culler();
-        let text = squares[5].with(Relation::unobserved);
-        assert_eq!(text.as_deref(), Some("culler.product_5.product.q[1] == 0"));
+        let text = squares[11].with(Relation::unobserved);
+        assert_eq!(text.as_deref(), Some("culler.product_11.product.q[1] == 0"));
     }
 }

@@ -104,7 +104,7 @@ pub const FAMILIES: [Family; 6] = [
         example: "leaf-5-local7-rgb6d-n4096",
         about: &[
             "A leaf machine is a tile behind a memory of leaves, which are groups of eight photons that are close together.",
-            "A culler skips the leaves that are out of range of a whole batch of queries. No photon in range is skipped.",
+            "A culler skips the groups of four that are out of range of a whole batch of queries. No photon in range is skipped.",
         ],
         pictures: &[TILE],
     },

@@ -1,10 +1,10 @@
-// The queue of pairs. A pair that was compared is queued if one of its leaves is wanted, or if it ends its batch; else it is dropped.
-// The groups that are wanted are two of each wanted leaf, or one of a leaf that has one alone. Of all pairs queued one is watched, by
+// The queue of pairs. A pair that was compared is queued if one of its groups is wanted, or if it ends its batch; else it is dropped.
+// A group is wanted if it is there, its box is in range and its leaf is gathered. Of all pairs queued one is watched, by
 // its number: it comes out under that number, as it was. The three memories are taken out: at the watched place they give what was
 // written there last. Assumed: no pair is taken from an empty queue (leaves::player), none is queued in a full one (leaves::scan).
 `default_nettype none
 module harness(input wire clock, input wire reset, input wire valid, input wire [`K-1:0] pair, input wire bank,
-    input wire ends, input wire releases, input wire [1:0] in_range, input wire [1:0] gathered, input wire [1:0] short,
+    input wire ends, input wire releases, input wire [3:0] in_range, input wire [1:0] gathered, input wire [1:0] short,
     input wire takes_pair, input wire [`K-1:0] pair_read, input wire [3:0] mask_read, input wire [2:0] flags_read,
     output wire cover_watched, output wire cover_full);
   localparam P = $clog2(`QUEUE);
@@ -18,7 +18,8 @@ module harness(input wire clock, input wire reset, input wire valid, input wire 
   wire [P:0] queue_count;
   wire pair_write, mask_write, flag_write;
   dut dut(.clock(clock), .reset(reset), .valid(valid), .pair(pair), .bank(bank), .ends(ends), .releases(releases),
-    .in_range_0(in_range[0]), .in_range_1(in_range[1]), .gathered_0(gathered[0]), .gathered_1(gathered[1]),
+    .in_range_0(in_range[0]), .in_range_1(in_range[1]), .in_range_2(in_range[2]), .in_range_3(in_range[3]),
+    .gathered_0(gathered[0]), .gathered_1(gathered[1]),
     .short_0(short[0]), .short_1(short[1]), .takes_pair(takes_pair), .drops(drops), .has_pair(has_pair),
     .oldest_pair(oldest_pair), .oldest_mask(oldest_mask), .oldest_flags(oldest_flags), .wanted(wanted_leaves),
     .queue_write_q(queue_write), .queue_read_q(queue_read), .queue_count_q(queue_count),
@@ -29,9 +30,9 @@ module harness(input wire clock, input wire reset, input wire valid, input wire 
     .\flag_ram.clock (), .\flag_ram.write (flag_write), .\flag_ram.write_place (flag_place),
     .\flag_ram.write_word (flags_written), .\flag_ram.read_place (flag_from), .\flag_ram.read_word (flags_read));
 
-  wire [1:0] wanted = in_range & gathered;
+  wire [3:0] groups = in_range & {{2{gathered[1]}}, {2{gathered[0]}}} & {~short[1], 1'b1, ~short[0], 1'b1};
+  wire [1:0] wanted = {|groups[3:2], |groups[1:0]};
   wire queued = valid & (|wanted | ends);
-  wire [3:0] groups = {wanted[1] & ~short[1], wanted[1], wanted[0] & ~short[0], wanted[0]};
   wire [W-1:0] word = {pair, groups, releases, ends, bank};
   // Numbers have a bit more than places: as many pairs as there are places are told apart.
   reg [P:0] write_number = 0, read_number = 0;
@@ -74,6 +75,6 @@ module harness(input wire clock, input wire reset, input wire valid, input wire 
     assert (pair_from == queue_read && mask_from == queue_read && flag_from == queue_read);
     assert (!pending || stored == value);
   end
-  assign cover_watched = takes_pair & is_watched & watched == 2 & oldest_mask == 4'b0111;
+  assign cover_watched = takes_pair & is_watched & watched == 2 & oldest_mask == 4'b1001;
   assign cover_full = inside == `QUEUE;
 endmodule
