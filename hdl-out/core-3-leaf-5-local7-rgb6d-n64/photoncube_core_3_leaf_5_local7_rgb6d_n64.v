@@ -803,6 +803,9 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     reg [6:0] interrupt_enable;
     reg [31:0] stall_limit;
     reg [15:0] under_way;
+    // Whether a query was given and a last result left in the clock before: the ways to the number of queries under way are too far for one clock.
+    reg query_came;
+    reg result_went;
     // Whether the clock before was silent, and the number of silent clocks up to the one before that.
     reg seen_silent;
     reg [31:0] silent_clocks;
@@ -871,12 +874,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial interrupt_enable = {(6 + 1){1'b0}};
     initial stall_limit = 32'h00020000;
     initial under_way = 16'd0;
+    initial query_came = 1'b0;
+    initial result_went = 1'b0;
     initial seen_silent = 1'b0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(47 - 31){1'b0}};
     initial reset = 1'b0;
     wire busy = |under_way;
-    // The next numbers of queries under way. Whether a query is given comes late, so it only chooses.
+    // The next numbers of queries under way.
     (* keep *) wire [15:0] one_more;
     assign one_more = under_way + 16'd1;
     (* keep *) wire [15:0] one_less;
@@ -948,7 +953,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
     wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
-    wire ends = result_moves & ~query_given & (under_way == 16'd1);
+    wire ends = result_went & ~query_came & (under_way == 16'd1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits;
     wire stalls = (|stall_limit) & (silent_clocks == stall_limit);
     wire [6:0] occurred;
@@ -1018,8 +1023,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         found_0 <= 32'd0
             | ({32{selected[0]}} & 32'h50435542)
             | ({32{selected[1]}} & 32'h00000001)
-            | ({32{selected[2]}} & 32'h414b97e1)
-            | ({32{selected[3]}} & 32'hab1724a9)
+            | ({32{selected[2]}} & 32'hd727f457)
+            | ({32{selected[3]}} & 32'hcb0b1e2f)
             | ({32{selected[4]}} & 32'h00080203)
             | ({32{selected[5]}} & 32'd0)
             | ({32{selected[6]}} & {28'd0, result_waits, query_waits, photon_waits, busy})
@@ -1077,12 +1082,16 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             interrupt_enable <= (interrupt_enable & ~write_mask[6:0]) | write_word[6:0];
         end
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
-        if (query_given & ~result_moves) under_way <= one_more;
-        if (result_moves & ~query_given) under_way <= one_less;
+        query_came <= query_given;
+        result_went <= result_moves;
+        if (query_came & ~result_went) under_way <= one_more;
+        if (result_went & ~query_came) under_way <= one_less;
         seen_silent <= silent;
         silent_clocks <= seen_silent ? silent_clocks + 32'd1 : 32'd0;
         if (reset | ~aresetn) begin
             under_way <= 16'd0;
+            query_came <= 1'b0;
+            result_went <= 1'b0;
             seen_silent <= 1'b0;
             silent_clocks <= 32'd0;
         end
@@ -1178,7 +1187,8 @@ endmodule
 // A slice of a stream. It has two places, so that no ready passes through it. A word stays in its place until it goes, and only its
 // HEAD highest bits move to the first place.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_ready, out_word);
-    parameter WIDTH = 2;
+    // At least four bits stay.
+    parameter WIDTH = 5;
     parameter HEAD = 1;
     // The bits that stay have four parts, each with flags of its own: one flag for all of them would have to reach too far.
     localparam BODY = WIDTH - HEAD;
@@ -3263,7 +3273,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     output reg found_second_out;
     output reg [1:0] compared;
     // Constant declarations
-    localparam most_used = 6'b100000;
+    localparam most_used = 3'b100;
     // Stub signals
     reg starting_d;
     wire starting_q;
@@ -3289,8 +3299,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     reg [31:0] scan_facings_d;
     wire [31:0] scan_facings_q;
     reg scan_facings_clock;
-    reg [5:0] used_d;
-    wire [5:0] used_q;
+    reg [2:0] used_d;
+    wire [2:0] used_q;
     reg used_clock;
     reg [1:0] returned_d;
     wire [1:0] returned_q;
@@ -3342,9 +3352,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     reg has_place;
     reg issue;
     reg is_last;
-    reg [5:0] issued;
-    reg [5:0] used_more;
-    reg [5:0] used_less;
+    reg [2:0] issued;
+    reg [2:0] used_more;
+    reg [2:0] used_less;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_1 starting(
         .d(starting_d),
@@ -3386,7 +3396,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
         .q(scan_facings_q),
         .clock(scan_facings_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_6 used(
+    photoncube_leaf_5_local7_rgb6d_n64_register_3 used(
         .d(used_d),
         .q(used_q),
         .clock(used_clock)
@@ -3549,7 +3559,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
             issued = 32'h1;
         end
         used_more = used_q + issued;
-        used_less = ((returned_q) & 6'h3f);
+        used_less = ((returned_q) & 3'h7);
         used_d = used_more - used_less;
         returned_d = 32'h0;
         if (drops | takes_pair) begin
@@ -3800,32 +3810,32 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, ban
     output reg [2:0] oldest_flags;
     output reg [1:0] wanted;
     // Stub signals
-    reg [4:0] queue_write_d;
-    wire [4:0] queue_write_q;
+    reg [1:0] queue_write_d;
+    wire [1:0] queue_write_q;
     reg queue_write_clock;
-    reg [4:0] queue_read_d;
-    wire [4:0] queue_read_q;
+    reg [1:0] queue_read_d;
+    wire [1:0] queue_read_q;
     reg queue_read_clock;
-    reg [5:0] queue_count_d;
-    wire [5:0] queue_count_q;
+    reg [2:0] queue_count_d;
+    wire [2:0] queue_count_q;
     reg queue_count_clock;
     reg pair_ram_clock;
     reg pair_ram_write;
-    reg [4:0] pair_ram_write_place;
+    reg [1:0] pair_ram_write_place;
     reg [1:0] pair_ram_write_word;
-    reg [4:0] pair_ram_read_place;
+    reg [1:0] pair_ram_read_place;
     wire [1:0] pair_ram_read_word;
     reg mask_ram_clock;
     reg mask_ram_write;
-    reg [4:0] mask_ram_write_place;
+    reg [1:0] mask_ram_write_place;
     reg [3:0] mask_ram_write_word;
-    reg [4:0] mask_ram_read_place;
+    reg [1:0] mask_ram_read_place;
     wire [3:0] mask_ram_read_word;
     reg flag_ram_clock;
     reg flag_ram_write;
-    reg [4:0] flag_ram_write_place;
+    reg [1:0] flag_ram_write_place;
     reg [2:0] flag_ram_write_word;
-    reg [4:0] flag_ram_read_place;
+    reg [1:0] flag_ram_read_place;
     wire [2:0] flag_ram_read_word;
     // Local signals
     reg second_0;
@@ -3839,17 +3849,17 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, ban
     reg [3:0] mask;
     reg [2:0] flags;
     // Sub module instances
-    photoncube_leaf_5_local7_rgb6d_n64_register_5 queue_write(
+    photoncube_leaf_5_local7_rgb6d_n64_register_2 queue_write(
         .d(queue_write_d),
         .q(queue_write_q),
         .clock(queue_write_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_5 queue_read(
+    photoncube_leaf_5_local7_rgb6d_n64_register_2 queue_read(
         .d(queue_read_d),
         .q(queue_read_q),
         .clock(queue_read_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_6 queue_count(
+    photoncube_leaf_5_local7_rgb6d_n64_register_3 queue_count(
         .d(queue_count_d),
         .q(queue_count_q),
         .clock(queue_count_clock)
@@ -8594,14 +8604,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_pair_ram(clock, write, write_place, wr
     // Module arguments
     input wire clock;
     input wire write;
-    input wire [4:0] write_place;
+    input wire [1:0] write_place;
     input wire [1:0] write_word;
-    input wire [4:0] read_place;
+    input wire [1:0] read_place;
     output reg [1:0] read_word;
     // Update code (custom)
-    reg [1:0] words [0:31];
+    reg [1:0] words [0:3];
     integer place;
-    initial for (place = 0; place <= 31; place = place + 1) words[place] = 2'd0;
+    initial for (place = 0; place <= 3; place = place + 1) words[place] = 2'd0;
     wire [1:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
@@ -8612,14 +8622,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_mask_ram(clock, write, write_place, wr
     // Module arguments
     input wire clock;
     input wire write;
-    input wire [4:0] write_place;
+    input wire [1:0] write_place;
     input wire [3:0] write_word;
-    input wire [4:0] read_place;
+    input wire [1:0] read_place;
     output reg [3:0] read_word;
     // Update code (custom)
-    reg [3:0] words [0:31];
+    reg [3:0] words [0:3];
     integer place;
-    initial for (place = 0; place <= 31; place = place + 1) words[place] = 4'd0;
+    initial for (place = 0; place <= 3; place = place + 1) words[place] = 4'd0;
     wire [3:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
@@ -8630,14 +8640,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_flag_ram(clock, write, write_place, wr
     // Module arguments
     input wire clock;
     input wire write;
-    input wire [4:0] write_place;
+    input wire [1:0] write_place;
     input wire [2:0] write_word;
-    input wire [4:0] read_place;
+    input wire [1:0] read_place;
     output reg [2:0] read_word;
     // Update code (custom)
-    reg [2:0] words [0:31];
+    reg [2:0] words [0:3];
     integer place;
-    initial for (place = 0; place <= 31; place = place + 1) words[place] = 3'd0;
+    initial for (place = 0; place <= 3; place = place + 1) words[place] = 3'd0;
     wire [2:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
@@ -10544,20 +10554,22 @@ module photoncube_leaf_5_local7_rgb6d_n64_admission(clock, reset, query_valid, g
     // Update code (custom)
     reg [1:0] loaded = 2'd0;
     reg open = 1'd0;
+    reg one = 1'd1;
     wire full = loaded[1];
     wire takes_first = group_valid & ~open;
     wire takes_last = group_valid & group_last;
     wire admits_query = ~full | takes_first;
     always @(*) query_ready = admits_query;
-    always @(*) group_ready = 1'd1;
+    always @(*) group_ready = one;
     always @(*) taken = group_valid;
     always @(*) first_taken = takes_first;
     always @(*) last_taken = takes_last;
     always @(*) token_valid = query_valid & admits_query & ~reset;
     always @(*) is_full = full;
-    always @(*) has_room = 1'd1;
-    always @(*) clocks_to_last = 16'd0;
+    always @(*) has_room = one;
+    always @(*) clocks_to_last = {16{~one}};
     always @(posedge clock) begin
+      one <= 1'd1;
       loaded <= takes_first ? {1'd0, query_valid} : loaded + {1'd0, query_valid & ~full};
       if (group_valid) open <= ~group_last;
       if (reset) begin

@@ -176,16 +176,6 @@ const RULES: &[Rule] = &[
         why: FIRST_IS_LAST,
     },
     Rule {
-        kind: CoverageKind::Toggle,
-        holds: |words, _, path, bit| {
-            let counts = ["scan.used", "queue.queue_count"];
-            let is_count = counts.iter().any(|count| is_register(path, count));
-            (is_count || path == "scan.used_more")
-                && leaf_sizes(words).is_some_and(|sizes| bit >= bits_of(most_queued(sizes)))
-        },
-        why: "the pairs of two batches are in the queue at most, and the chain takes the queries of the second when the first pair of the first is played",
-    },
-    Rule {
         kind: CoverageKind::User,
         holds: |words, _, path, _| {
             words.machine.microprogram().is_some() && path == "group_is_awaited"
@@ -232,11 +222,6 @@ fn has_one_engine(words: &Words<'_>) -> bool {
 /// another the group is played.
 fn clocks_counted(sizes: LeafSizes) -> u32 {
     sizes.least_spacing.saturating_sub(2)
-}
-
-/// The most places of the queue of pairs that are used: those of all pairs of two batches but the pair that the player has.
-fn most_queued(sizes: LeafSizes) -> u32 {
-    (2 << sizes.pair) - 1
 }
 
 fn bits_of(largest: u32) -> u32 {

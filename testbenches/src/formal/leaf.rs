@@ -354,9 +354,8 @@ fn former(sizes: &LeafSizes) -> Property {
 }
 
 fn scan(sizes: &LeafSizes) -> Property {
-    // The clocks in which batches of whole banks fill the queue: two beside those of their pairs each, and the first's.
-    let batches = (Leaf::QUEUE >> sizes.pair).max(1);
-    let clocks_to_full = Leaf::QUEUE + 2 * batches + 6;
+    // A batch of a whole bank fills the queue: one clock for each place, after those before the batch's first pair.
+    let clocks_to_full = sizes.queue() + 8;
     Property {
         open: Open::Signals(&[
             "starting_q",
@@ -395,7 +394,7 @@ fn scan(sizes: &LeafSizes) -> Property {
             &[
                 ("K", sizes.pair),
                 ("FACINGS", Leaf::FACINGS),
-                ("QUEUE", Leaf::QUEUE),
+                ("QUEUE", sizes.queue()),
             ],
         )
     }
@@ -415,14 +414,14 @@ fn queue(sizes: &LeafSizes) -> Property {
             Fault::new("queue_2", "queue_read_q + 32'h1", "queue_read_q + 32'h2"),
         ],
         fault_clocks: 8,
-        covers: at([("cover_watched", 8), ("cover_full", Leaf::QUEUE + 2)]),
+        covers: at([("cover_watched", 8), ("cover_full", sizes.queue() + 2)]),
         ..of_logic(
             "leaves::queue",
             "queue_2",
             "a pair with a wanted group, or that ends its batch, comes out once, in order, with its wanted groups; others are \
              dropped; assumed: none is queued in a full queue or taken from an empty one",
             include_str!("harness/leaf/queue.sv"),
-            &[("K", sizes.pair), ("QUEUE", Leaf::QUEUE)],
+            &[("K", sizes.pair), ("QUEUE", sizes.queue())],
         )
     }
 }

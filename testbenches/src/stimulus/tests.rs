@@ -252,7 +252,7 @@ fn a_full_bank_fills_every_queue_of_a_leaf_machine() {
         assert_eq!(most("leaf_outstanding_0"), Some(under_way), "{name}");
         assert_eq!(
             most("leaf_queue_count_0"),
-            Some(Leaf::QUEUE.into()),
+            Some(sizes.queue().into()),
             "{name}"
         );
     }

@@ -21,7 +21,8 @@ use crate::spatial::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;
 
-/// The machine. The widths up to `N` are those of the chain; `PB` place, `LB` leaf, `KB` pair, `NB` number of tokens, `SB` spacing, `OB`
+/// The machine. The widths up to `N` are those of the chain; `PB` place, `LB` leaf, `KB` pair, `QB` place
+/// in the queue of pairs, `QN` number of pairs in it, `NB` number of tokens, `SB` spacing, `OB`
 /// batches under way, `TB` tag's place, `RB` result's number.
 #[derive(LogicBlock)]
 pub(crate) struct LeafMachine<
@@ -46,6 +47,8 @@ pub(crate) struct LeafMachine<
     const PB: usize,
     const LB: usize,
     const KB: usize,
+    const QB: usize,
+    const QN: usize,
     const NB: usize,
     const SB: usize,
     const OB: usize,
@@ -93,14 +96,14 @@ pub(crate) struct LeafMachine<
     /// The box around the batch's queries, axis by axis.
     pub(super) query_border: [ExtentSoFar<C>; AXES],
     token_place: [TokenPlace<C>; AXES],
-    pub(super) scan: Scan<LB, KB>,
+    pub(super) scan: Scan<LB, KB, QN>,
     /// The box of the batch that is compared, axis by axis.
     pub(super) scan_low: [Held<C>; AXES],
     pub(super) scan_high: [Held<C>; AXES],
     pub(super) gathers: GathersOfPair,
     culler: Culler<C, H, D, R, Q, LP, HP, PR, T, U>,
     pub(super) cull: Vec<CullStage<KB>>,
-    pub(super) queue: PairQueue<KB>,
+    pub(super) queue: PairQueue<KB, QB, QN>,
     pub(super) player: Player<PB, KB, SB, OB>,
     pub(super) tags: Tags<TB, RB>,
     unless_blank: [PresentUnlessBlank; LANES],
@@ -132,6 +135,8 @@ impl<
     const PB: usize,
     const LB: usize,
     const KB: usize,
+    const QB: usize,
+    const QN: usize,
     const NB: usize,
     const SB: usize,
     const OB: usize,
@@ -160,6 +165,8 @@ impl<
         PB,
         LB,
         KB,
+        QB,
+        QN,
         NB,
         SB,
         OB,
@@ -490,4 +497,4 @@ impl<
     }
 }
 
-logic_of_wires!(LeafMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N, PB, LB, KB, NB, SB, OB, TB, RB>);
+logic_of_wires!(LeafMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N, PB, LB, KB, QB, QN, NB, SB, OB, TB, RB>);

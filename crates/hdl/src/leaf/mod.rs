@@ -27,9 +27,6 @@ use photoncube_spec::Leaf;
 const FACING: usize = Leaf::FACING_BITS as usize;
 const FACINGS: usize = Leaf::FACINGS as usize;
 const TAG: usize = Leaf::TAG_BITS as usize;
-/// Bits of a place in the queue of pairs, and of their number.
-const QUEUE_PLACE: usize = Leaf::QUEUE.ilog2() as usize;
-const QUEUE_COUNT: usize = QUEUE_PLACE + 1;
 /// Bits of the groups of a pair that are played.
 const MASK: usize = Leaf::PAIR * Leaf::GROUPS;
 

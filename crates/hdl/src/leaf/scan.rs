@@ -4,12 +4,12 @@ use photoncube_spec::Leaf;
 use rust_hdl::prelude::*;
 
 use super::ram::AsyncRam;
-use super::{FACINGS, MASK, QUEUE_COUNT, QUEUE_PLACE};
+use super::{FACINGS, MASK};
 use crate::defaults::defaulted;
 
 /// Issues the pairs of a set. `LB` bits of a leaf's number, `KB = LB - 1` of a pair's.
 #[derive(LogicBlock)]
-pub(crate) struct Scan<const LB: usize, const KB: usize> {
+pub(crate) struct Scan<const LB: usize, const KB: usize, const QN: usize> {
     pub clock: Signal<In, Clock>,
     pub reset: Signal<In, Bit>,
     /// The batch that can start, if it is complete.
@@ -46,7 +46,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub scan_end: DFF<Bits<LB>>,
     pub scan_release: DFF<Bit>,
     pub scan_facings: DFF<Bits<FACINGS>>,
-    pub used: DFF<Bits<QUEUE_COUNT>>,
+    pub used: DFF<Bits<QN>>,
     pub returned: DFF<Bits<2>>,
     pub look_valid: DFF<Bit>,
     pub look_pair: DFF<Bits<KB>>,
@@ -60,7 +60,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub found_end: DFF<Bit>,
     pub found_release: DFF<Bit>,
     pub found_second: DFF<Bit>,
-    most_used: Constant<Bits<QUEUE_COUNT>>,
+    most_used: Constant<Bits<QN>>,
     is_full: Signal<Local, Bit>,
     end_leaf: Signal<Local, Bits<LB>>,
     end_pair: Signal<Local, Bits<KB>>,
@@ -71,15 +71,15 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     has_place: Signal<Local, Bit>,
     issue: Signal<Local, Bit>,
     is_last: Signal<Local, Bit>,
-    issued: Signal<Local, Bits<QUEUE_COUNT>>,
-    used_more: Signal<Local, Bits<QUEUE_COUNT>>,
-    used_less: Signal<Local, Bits<QUEUE_COUNT>>,
+    issued: Signal<Local, Bits<QN>>,
+    used_more: Signal<Local, Bits<QN>>,
+    used_less: Signal<Local, Bits<QN>>,
 }
 
-impl<const LB: usize, const KB: usize> Default for Scan<LB, KB> {
+impl<const LB: usize, const KB: usize, const QN: usize> Default for Scan<LB, KB, QN> {
     fn default() -> Self {
         defaulted!(Self {
-            most_used: Constant::new(u64::from(Leaf::QUEUE).to_bits()),
+            most_used: Constant::new((1u64 << (QN - 1)).to_bits()),
         };
             clock reset complete releases facings full_0 full_1 end_0 end_1 drops takes_pair starts takes_box issues issue_bank
             issue_pair facings_out found_valid_out found_pair_out found_bank_out found_end_out found_release_out
@@ -90,7 +90,7 @@ impl<const LB: usize, const KB: usize> Default for Scan<LB, KB> {
     }
 }
 
-impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
+impl<const LB: usize, const KB: usize, const QN: usize> Logic for Scan<LB, KB, QN> {
     #[hdl_gen]
     fn update(&mut self) {
         dff_setup!(
@@ -167,7 +167,7 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             self.issued.next = 1.into();
         }
         self.used_more.next = self.used.q.val() + self.issued.val();
-        self.used_less.next = bit_cast::<QUEUE_COUNT, 2>(self.returned.q.val());
+        self.used_less.next = bit_cast::<QN, 2>(self.returned.q.val());
         self.used.d.next = self.used_more.val() - self.used_less.val();
         self.returned.d.next = 0.into();
         if self.drops.val() | self.takes_pair.val() {
@@ -263,7 +263,7 @@ impl<const KB: usize> Logic for CullStage<KB> {
 
 /// The queue of pairs with a wanted group, and of the last pairs of batches. `KB` bits of a pair's number.
 #[derive(LogicBlock, Default)]
-pub(crate) struct PairQueue<const KB: usize> {
+pub(crate) struct PairQueue<const KB: usize, const QB: usize, const QN: usize> {
     pub clock: Signal<In, Clock>,
     pub reset: Signal<In, Bit>,
     /// The pair that was compared.
@@ -285,12 +285,12 @@ pub(crate) struct PairQueue<const KB: usize> {
     pub oldest_flags: Signal<Out, Bits<3>>,
     /// The leaves of the pair of which a group is wanted.
     pub wanted: Signal<Out, Bits<2>>,
-    pub queue_write: DFF<Bits<QUEUE_PLACE>>,
-    pub queue_read: DFF<Bits<QUEUE_PLACE>>,
-    pub queue_count: DFF<Bits<QUEUE_COUNT>>,
-    pair_ram: AsyncRam<QUEUE_PLACE, KB>,
-    mask_ram: AsyncRam<QUEUE_PLACE, MASK>,
-    flag_ram: AsyncRam<QUEUE_PLACE, 3>,
+    pub queue_write: DFF<Bits<QB>>,
+    pub queue_read: DFF<Bits<QB>>,
+    pub queue_count: DFF<Bits<QN>>,
+    pair_ram: AsyncRam<QB, KB>,
+    mask_ram: AsyncRam<QB, MASK>,
+    flag_ram: AsyncRam<QB, 3>,
     /// The second group of each leaf is one of the set and in range.
     second_0: Signal<Local, Bit>,
     second_1: Signal<Local, Bit>,
@@ -305,7 +305,7 @@ pub(crate) struct PairQueue<const KB: usize> {
     flags: Signal<Local, Bits<3>>,
 }
 
-impl<const KB: usize> Logic for PairQueue<KB> {
+impl<const KB: usize, const QB: usize, const QN: usize> Logic for PairQueue<KB, QB, QN> {
     #[hdl_gen]
     fn update(&mut self) {
         dff_setup!(self, clock, queue_write, queue_read, queue_count);

@@ -190,9 +190,9 @@ impl Scan {
         former: &Former,
         boxes: &Boxes,
     ) {
-        let issues = self.scanning && self.used < Leaf::QUEUE;
+        let issues = self.scanning && self.used < sizes.queue();
         let may_start = self.may_start(issues, boxes);
-        let queued = self.decide(events);
+        let queued = self.decide(sizes, events);
         let found = self.found;
         self.cull.pop_back();
         self.cull.push_front(self.gathered(found));
@@ -234,17 +234,17 @@ impl Scan {
 
     /// Takes the pair that leaves out of the queue, and queues the pair in the last stage. Returns whether that is queued, if
     /// there is one.
-    fn decide(&mut self, events: Events) -> Option<bool> {
+    fn decide(&mut self, sizes: &LeafSizes, events: Events) -> Option<bool> {
         if events.leaves_queue {
             self.queue.pop_front();
-            self.queue_read = (self.queue_read + 1) % Leaf::QUEUE;
+            self.queue_read = (self.queue_read + 1) % sizes.queue();
         }
         let last = self.cull.back().filter(|culled| culled.pair.valid)?;
         let (mask, pair) = (last.mask(), last.pair);
         let queued = mask != 0 || pair.end;
         if queued {
             self.queue.push_back(Wanted { pair, mask });
-            self.queue_write = (self.queue_write + 1) % Leaf::QUEUE;
+            self.queue_write = (self.queue_write + 1) % sizes.queue();
         }
         Some(queued)
     }

@@ -69,7 +69,7 @@ impl Leaf {
     pub const TAG_BITS: u32 = 18;
     /// Clocks in which no word moves on any stream after which a machine hangs. The scan of the largest bank is shorter.
     pub const SILENT_CLOCKS: u64 = 1 << 17;
-    /// Pairs that wait to be played.
+    /// The most places of the queue of pairs that wait to be played.
     pub const QUEUE: u32 = 32;
     /// The fewest groups of a bank: two pairs.
     pub const FEWEST_GROUPS: u32 = 2 * (Self::GROUPS * Self::PAIR) as u32;
@@ -94,6 +94,8 @@ pub struct LeafSizes {
     pub leaf: u32,
     /// Bits of a pair's number in its bank.
     pub pair: u32,
+    /// Bits of a place in the queue of pairs, which has no more places than a bank has pairs, and at most [`Leaf::QUEUE`].
+    pub queue_place: u32,
     /// Bits of the number of a batch's queries that the chain has taken, 0 to the engines.
     pub loaded: u32,
     /// The fewest clocks from one last group to the next, as in [`HeadSizes::spacing`].
@@ -118,6 +120,7 @@ impl LeafSizes {
         let head = HeadSizes::of(&leaf.chain);
         let engines = leaf.chain.engines() as u32;
         let place = leaf.bank_groups.ilog2();
+        let pair = place - (Leaf::GROUPS * Leaf::PAIR).ilog2();
         let most_outstanding = head.queue as u32 / engines;
         // The queries of the batch that is loaded, of the batch that is tested, and of the batches under way.
         let tags = 2 * engines + head.queue as u32;
@@ -125,7 +128,8 @@ impl LeafSizes {
             engines,
             place,
             leaf: place - Leaf::GROUPS.ilog2(),
-            pair: place - (Leaf::GROUPS * Leaf::PAIR).ilog2(),
+            pair,
+            queue_place: pair.min(Leaf::QUEUE.ilog2()),
             loaded: bits_for(engines.into()),
             least_spacing: head.spacing,
             spacing: head.spacing_bits,
@@ -135,6 +139,11 @@ impl LeafSizes {
             result: bits_for(u128::from(engines) - 1),
             cull_clocks: leaf.culler.cuts.latency(),
         }
+    }
+
+    /// The places of the queue of pairs that wait to be played.
+    pub fn queue(&self) -> u32 {
+        1 << self.queue_place
     }
 }
 

@@ -36,9 +36,6 @@ pub struct LeafRow {
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;
 
-/// Bits of a number of places in the queue of pairs.
-const QUEUE_COUNT: u32 = Leaf::QUEUE.ilog2() + 1;
-
 macro_rules! registers {
     ($($(#[doc = $doc:literal])+ $register:ident $name:literal [$count:expr] $width:expr;)+) => {
         /// A register of a leaf machine before its chain.
@@ -174,7 +171,7 @@ registers! {
     Starting "starting" [|_| 1] |_| 1;
     /// := `Starting`. The last pair of the batch before is in `Found` in this clock at the latest, and the first of this batch is not there yet.
     Started "started" [|_| 1] |_| 1;
-    /// The pairs of `ScanBank` are compared with a batch. := 1 where a batch starts. A pair is *issued* where `Scanning` and `Used` is less than [`Leaf::QUEUE`]; where it is the last,
+    /// The pairs of `ScanBank` are compared with a batch. := 1 where a batch starts. A pair is *issued* where `Scanning` and `Used` is less than [`LeafSizes::queue`]; where it is the last,
     /// `Scanning` := 0.
     Scanning "scanning" [|_| 1] |_| 1;
     /// The bank of the batch. := the other where the last pair is issued and `ScanRelease`.
@@ -192,7 +189,7 @@ registers! {
     /// := `QueryHigh` where `Started`.
     ScanHigh "scan_high" [|_| AXES] |d| d.widths.coordinate;
     /// Places of the queue that a pair has or may need. Plus 1 where a pair is issued; less `Returned`.
-    Used "used" [|_| 1] |_| QUEUE_COUNT;
+    Used "used" [|_| 1] |d| d.sizes.queue_place + 1;
     /// := the places that are no longer needed: 1 where an issued pair is not queued, and 1 where a pair leaves the queue.
     Returned "returned" [|_| 1] |_| 2;
     /// := a pair is issued. The stages `Look` and `Found` read the boxes.
@@ -260,12 +257,12 @@ registers! {
     /// The place of the next pair in the queue. A pair is *queued* where the last `CullValid`, and a group is wanted or
     /// `CullEnd`: a group is wanted where its box is in range, `CullGathered` of its leaf, and it is not the second of a leaf with
     /// `CullShort`. Incremented where a pair is queued.
-    QueueWrite "queue_write" [|_| 1] |_| Leaf::QUEUE.ilog2();
+    QueueWrite "queue_write" [|_| 1] |d| d.sizes.queue_place;
     /// The place of the oldest pair in the queue. A pair *leaves* the queue where `QueueCount` is not 0, and not `EntryValid` or the
     /// last group of the entry is played. Incremented where a pair leaves.
-    QueueRead "queue_read" [|_| 1] |_| Leaf::QUEUE.ilog2();
+    QueueRead "queue_read" [|_| 1] |d| d.sizes.queue_place;
     /// Pairs in the queue.
-    QueueCount "queue_count" [|_| 1] |_| QUEUE_COUNT;
+    QueueCount "queue_count" [|_| 1] |d| d.sizes.queue_place + 1;
     /// A pair is played. := a pair leaves the queue, or `EntryValid` and not the last group of the entry is played.
     EntryValid "entry_valid" [|_| 1] |_| 1;
     /// The groups of the pair that are still to be played. Where a pair leaves the queue := those that are wanted. Where a group is played, the lowest bit that is set := 0. A group is
