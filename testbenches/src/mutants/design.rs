@@ -40,6 +40,13 @@ pub struct Mutation {
     pub options: String,
 }
 
+impl Mutation {
+    /// The module's name in the text.
+    pub(super) fn module_in_text(&self) -> Option<&str> {
+        module_in_text(&self.options)
+    }
+}
+
 /// Draws about `wanted` mutations.
 pub(super) fn draw(design: &Emitted, wanted: u64, seed: u64) -> Result<Vec<Mutation>, DeviceError> {
     let list = format!("tee -q -o list.txt mutate -list {wanted} -seed {seed}");
@@ -91,10 +98,13 @@ fn changes_an_initial_value(options: &str) -> bool {
     options.contains("-cell $meminit")
 }
 
-fn module_of(options: &str, prefix: &str) -> String {
+fn module_in_text(options: &str) -> Option<&str> {
     let mut words = options.split_whitespace();
-    let module = words.find(|word| *word == "-module").and(words.next());
-    let module = module.unwrap_or_default();
+    words.find(|word| *word == "-module").and(words.next())
+}
+
+fn module_of(options: &str, prefix: &str) -> String {
+    let module = module_in_text(options).unwrap_or_default();
     match module.strip_prefix(prefix) {
         Some("") => "top".to_owned(),
         Some(rest) => rest.trim_start_matches('_').to_owned(),

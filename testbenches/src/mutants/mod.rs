@@ -4,6 +4,7 @@
 //! `mutant`, so that one build runs them all. Each mutant that the stimulus does not kill must be proven
 //! equal to the design; otherwise it survives.
 
+mod alone;
 mod design;
 mod invariants;
 mod kill;
@@ -23,6 +24,7 @@ use crate::tools::Tool;
 use crate::verify::VerifyError;
 use crate::waves::Waves;
 
+use alone::ObservedModules;
 pub use design::Mutation;
 use invariants::Invariants;
 use kill::Kills;
@@ -134,9 +136,11 @@ pub fn mutants(
         .map(dies)
         .collect::<Result<_, VerifyError>>()?;
     let invariants = Invariants::new(machine, &design, &kills)?;
+    let observed = ObservedModules::of(&design)?;
     let prover = Prover {
         design: &design,
         invariants: &invariants,
+        observed: &observed,
     };
     let controls = killed_controls(&mutations, &dead, &prover)?;
     let judge = |(mutation, dead): (&Mutation, &bool)| {

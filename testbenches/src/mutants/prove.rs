@@ -1,11 +1,13 @@
 //! Proves that a mutant equals the design: for equal values in all registers and on all input pins, all
-//! registers have equal next values and all outputs have equal values.
+//! registers have equal next values and all outputs have equal values. Where that fails, the mutated module alone may be proven
+//! equal at its outputs.
 
 use std::path::Path;
 
 use photoncube_hdl::Emitted;
 
 use super::Mutation;
+use super::alone::{self, ObservedModules};
 use super::design::{FLAT, run, yosys};
 use super::invariants::{Invariants, around_two};
 use crate::device::{DeviceError, scratch_folder, write_file};
@@ -14,6 +16,9 @@ use crate::tools::ToolError;
 /// The time limit of the solver in seconds. A proof that takes longer fails.
 const SECONDS: u32 = 60;
 
+/// The solver's command, without the module. Yosys fails where the proof does.
+const SOLVE: &str = "sat -verify -prove-asserts";
+
 /// The file of the design, the mutant and their comparison.
 const MITER: &str = "miter.il";
 
@@ -21,6 +26,7 @@ const MITER: &str = "miter.il";
 pub(super) struct Prover<'a> {
     pub design: &'a Emitted,
     pub invariants: &'a Invariants,
+    pub observed: &'a ObservedModules,
 }
 
 impl Prover<'_> {
@@ -46,6 +52,10 @@ impl Prover<'_> {
                          declared count, while a group stays valid until it is taken, by sat";
             return Ok(Some(proof.to_owned()));
         }
+        if self.is_proven_alone(mutation, folder)? {
+            let proof = "the same outputs of the module in all clocks, by temporal induction on the module alone";
+            return Ok(Some(proof.to_owned()));
+        }
         Ok(None)
     }
 
@@ -63,6 +73,15 @@ impl Prover<'_> {
             solve("", "miter")
         );
         is_proven(yosys(folder, self.design, &script))
+    }
+
+    /// Tries to prove the outputs of the mutated module alone.
+    fn is_proven_alone(&self, mutation: &Mutation, folder: &Path) -> Result<bool, DeviceError> {
+        let solve = format!("{SOLVE} -timeout {SECONDS}");
+        match alone::script(self.observed, mutation, &solve) {
+            Some(script) => is_proven(yosys(folder, self.design, &script)),
+            None => Ok(false),
+        }
     }
 
     /// Tries to prove the comparison in the folder from values within the invariants and these further conditions.
@@ -90,21 +109,22 @@ fn is_proven(ended: Result<(), DeviceError>) -> Result<bool, DeviceError> {
 }
 
 fn solve(options: &str, module: &str) -> String {
-    format!("sat -verify -prove-asserts {options} -timeout {SECONDS} {module}")
+    format!("{SOLVE} {options} -timeout {SECONDS} {module}")
 }
 
-/// Whether Yosys ended because the proof failed, or because the mutation is on a register itself. In the
-/// second case the two designs do not share this register, and the solver does not accept the rest.
+/// Whether Yosys ended because the proof failed, because the mutation is on a register itself, or because a register has
+/// another clock. In the second case the two designs do not share this register, and the solver does not accept the rest.
 fn is_not_proven(error: &DeviceError) -> bool {
     let DeviceError::Tool(ToolError::Failed { message, .. }) = error else {
         return false;
     };
-    // Yosys 0.23 and Yosys 0.70 print the last two for a register.
+    // Yosys 0.23 and Yosys 0.70 print the third and the fourth for a register.
     let reasons = [
         "proof did fail",
         "timeout",
         "to SAT database",
         "No SAT model available for async FF cell",
+        "selection is not empty",
     ];
     reasons.iter().any(|reason| message.contains(reason))
 }
