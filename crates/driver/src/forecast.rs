@@ -6,9 +6,10 @@
 
 use photoncube_render::{QuantisedMap, QueryPoint};
 use photoncube_spec::{Core, Leaf, LeafSizes, PhotonFormat};
+use rayon::prelude::*;
 
 use crate::cull::{WantedLeaf, wanted};
-use crate::frames::{FramePlan, Set};
+use crate::frames::{FramePlan, Set, SetSize};
 
 /// Clocks between two batches of a chain beside those of its work, about.
 const BATCH_CLOCKS: u64 = 1;
@@ -30,11 +31,12 @@ impl Forecast {
     pub fn of(core: &Core, map: &QuantisedMap<'_>, queries: &[QueryPoint]) -> Self {
         let plan = FramePlan::new(map, core, queries);
         let forecaster = Forecaster::new(core);
+        let of_set = |set: &Set| (set.size(), forecaster.batches(set).iter().sum());
+        let of_frame = |frame| plan.sets(frame).iter().map(of_set).collect::<Vec<_>>();
+        let frames: Vec<_> = plan.frames().par_iter().map(of_frame).collect();
         let mut load = Load::new(1);
-        for frame in plan.frames() {
-            for set in plan.sets(frame) {
-                load.add(0, &set, forecaster.batches(&set).iter().sum());
-            }
+        for (size, batches) in frames.into_iter().flatten() {
+            load.add(0, size, batches);
         }
         Self {
             queries: queries.len() as u64,
@@ -95,12 +97,11 @@ impl Load {
         first.expect("a core has a chain")
     }
 
-    /// Gives a chain a set whose batches take so many clocks.
-    pub(crate) fn add(&mut self, chain: usize, set: &Set, batches: u64) -> Times {
-        let leaves = set.leaves.len() as u64;
+    /// Gives a chain a set of a size whose batches take so many clocks.
+    pub(crate) fn add(&mut self, chain: usize, size: SetSize, batches: u64) -> Times {
+        let SetSize { leaves, queries } = size;
         self.leaves += leaves;
-        let queries = set.batches.iter().map(|batch| batch.queries.len() as u64);
-        self.queries += queries.sum::<u64>();
+        self.queries += queries;
         let chain = &mut self.chains[chain];
         let bank_is_free = chain.last.begins;
         chain.is_loaded = chain.is_loaded.max(bank_is_free) + leaves * Leaf::GROUPS as u64;

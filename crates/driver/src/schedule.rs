@@ -70,7 +70,7 @@ impl Scheduler {
         let forecaster = self.forecaster.with_rounds(rounds.rounds(&self.core));
         for (set, clocks) in mixed(&forecaster, sets) {
             let chain = load.first_free();
-            let times = load.add(chain, set, clocks.iter().sum());
+            let times = load.add(chain, set.size(), clocks.iter().sum());
             for (place, leaf) in set.leaves.iter().enumerate() {
                 let before = times.begins - times.bank_is_free;
                 let share = before * place as u64 / (2 * set.leaves.len() as u64);
@@ -155,9 +155,8 @@ fn mixed<'a>(forecaster: &Forecaster, sets: &'a [Set]) -> Vec<(&'a Set, Vec<u64>
     let clocks = |set: &'a Set| (set, forecaster.batches(set));
     let mut sets: Vec<_> = sets.iter().map(clocks).collect();
     sets.sort_by_cached_key(|(set, clocks)| {
-        let queries = set.batches.iter().map(|batch| batch.queries.len() as u64);
         // A fraction as an integer.
-        (clocks.iter().sum::<u64>() << 16) / queries.sum::<u64>().max(1)
+        (clocks.iter().sum::<u64>() << 16) / set.size().queries.max(1)
     });
     // In the order of their numbers with the bits reversed, numbers that are close together are far apart.
     let mut numbered: Vec<_> = (0_u32..).zip(sets).collect();
