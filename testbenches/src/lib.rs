@@ -67,8 +67,8 @@ pub use faults::{
 pub use formal::{Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use mutants::{
-    Fate, Judged, MutantOptions, MutantPart, MutantReport, Mutation, RecordedMutant, mutants,
-    record_mutant,
+    Fate, Judged, MutantOptions, MutantPart, MutantReport, Mutation, RecordedMutant,
+    is_equal_alone, mutants, record_mutant,
 };
 pub use programs::{
     DrawnProgram, MOST_PROGRAM_ITERATIONS, Open, ProgramClass, ProgramFailure, ProgramOptions,

@@ -5,7 +5,7 @@ mod support;
 use libtest_mimic::{Arguments, Failed};
 use photoncube_spec::find_machine;
 use photoncube_testbench::{
-    DeviceKind, Fate, Judged, MutantOptions, MutantPart, mutants, record_mutant,
+    DeviceKind, Fate, Judged, MutantOptions, MutantPart, is_equal_alone, mutants, record_mutant,
 };
 
 /// The number of mutants. `photoncube verify mutants` judges more, and those of other machines.
@@ -25,7 +25,13 @@ fn main() {
             None => support::trial(name, DeviceKind::Verilator, run),
         }
     });
-    libtest_mimic::run(&Arguments::from_args(), trials.into()).exit();
+    let alone = support::trial(
+        "a_module_alone_shows_what_its_outputs_show".to_owned(),
+        DeviceKind::Netlist,
+        a_module_alone_shows_what_its_outputs_show,
+    );
+    let trials = trials.into_iter().chain([alone]).collect();
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
 fn none_survives(machine: &str, part: MutantPart) -> Result<(), Failed> {
@@ -49,6 +55,25 @@ fn none_survives(machine: &str, part: MutantPart) -> Result<(), Failed> {
     assert!(report.vectors_compared > 0);
     let killed = report.mutants.iter().find(|m| m.fate == Fate::Killed);
     recorded(machine, &options, killed.ok_or("none was killed")?)
+}
+
+/// Two squares of the comparison of boxes have a sum of 15 bits. Where bit 14 is set, no radius is large enough, so bit 10 may then be
+/// another. Where bit 13 is set, it may not. An engine's registers are observed, so no module of an engine is proven alone.
+fn a_module_alone_shows_what_its_outputs_show() -> Result<(), Failed> {
+    let machine = find_machine("leaf-5-radii-local7-rgb6d-n64")?;
+    let is_equal = |module: &str, control: u32| {
+        let options = format!(
+            "-mode cnot1 -module {{prefix}}_{module} -cell pair_square -port d -portbit 10 -ctrlbit {control} \
+             -wire pair_sum_sum -wirebit 10"
+        );
+        is_equal_alone(machine, &options)
+    };
+    assert!(is_equal("lane_3", 14)?);
+    assert!(!is_equal("lane_3", 13)?);
+    assert!(!is_equal("lane_2", 14)?);
+    let clock = "-mode const0 -module {prefix}_lane_3 -cell pair_square -port clock -portbit 0";
+    assert!(!is_equal_alone(machine, clock)?);
+    Ok(())
 }
 
 /// A killed mutant's waveform shows the first difference. A part of a machine has no golden model beside it.

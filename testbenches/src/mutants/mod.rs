@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::controls::Control;
-use crate::device::{DeviceKind, hdl_error};
+use crate::device::{DeviceKind, hdl_error, scratch_folder};
 use crate::tools::Tool;
 use crate::verify::VerifyError;
 use crate::waves::Waves;
@@ -29,7 +29,7 @@ pub use design::Mutation;
 use invariants::Invariants;
 use kill::Kills;
 pub use kill::MutantPart;
-use prove::Prover;
+use prove::{Prover, is_proven_alone};
 
 /// The number of mutants, and how they are drawn.
 #[derive(Copy, Clone, Debug)]
@@ -214,6 +214,29 @@ pub fn record_mutant(
         vectors_compared: kills.vectors.into_inner(),
         waves,
     }))
+}
+
+/// Whether the mutation that these options of Yosys's `mutate` describe is proven to leave the outputs of its module as they are in all
+/// clocks, on the module alone. `{prefix}` in the options stands for what the names of the machine's modules begin with. A
+/// module that holds an observed register is not proven in this way.
+///
+/// # Errors
+/// The machine cannot be emitted, or Yosys does not run.
+pub fn is_equal_alone(machine: &Machine, options: &str) -> Result<bool, VerifyError> {
+    let design = emit(machine, MutantPart::Machine.level()).map_err(hdl_error(machine))?;
+    let mutation = Mutation {
+        mutant: 1,
+        module: String::new(),
+        options: options.replace("{prefix}", &design.top),
+    };
+    let observed = ObservedModules::of(&design)?;
+    let folder = scratch_folder()?;
+    Ok(is_proven_alone(
+        &design,
+        &observed,
+        &mutation,
+        folder.path(),
+    )?)
 }
 
 /// The mutations of a design.

@@ -52,7 +52,7 @@ impl Prover<'_> {
                          declared count, while a group stays valid until it is taken, by sat";
             return Ok(Some(proof.to_owned()));
         }
-        if self.is_proven_alone(mutation, folder)? {
+        if is_proven_alone(self.design, self.observed, mutation, folder)? {
             let proof = "the same outputs of the module in all clocks, by temporal induction on the module alone";
             return Ok(Some(proof.to_owned()));
         }
@@ -75,15 +75,6 @@ impl Prover<'_> {
         is_proven(yosys(folder, self.design, &script))
     }
 
-    /// Tries to prove the outputs of the mutated module alone.
-    fn is_proven_alone(&self, mutation: &Mutation, folder: &Path) -> Result<bool, DeviceError> {
-        let solve = format!("{SOLVE} -timeout {SECONDS}");
-        match alone::script(self.observed, mutation, &solve) {
-            Some(script) => is_proven(yosys(folder, self.design, &script)),
-            None => Ok(false),
-        }
-    }
-
     /// Tries to prove the comparison in the folder from values within the invariants and these further conditions.
     fn is_proven_within(&self, more: &[String], folder: &Path) -> Result<bool, DeviceError> {
         write_file(
@@ -96,6 +87,20 @@ impl Prover<'_> {
             solve("-set-assumes", "wrapper")
         );
         is_proven(run(folder, &script))
+    }
+}
+
+/// Tries to prove the outputs of the mutated module alone.
+pub(super) fn is_proven_alone(
+    design: &Emitted,
+    observed: &ObservedModules,
+    mutation: &Mutation,
+    folder: &Path,
+) -> Result<bool, DeviceError> {
+    let solve = format!("{SOLVE} -timeout {SECONDS}");
+    match alone::script(observed, mutation, &solve) {
+        Some(script) => is_proven(yosys(folder, design, &script)),
+        None => Ok(false),
     }
 }
 
