@@ -1,5 +1,6 @@
 //! Stimulus for a photon memory: banks filled to the last place, with and without a last group there. In a memory of leaves also
-//! queues filled to the last place.
+//! queues filled to the last place, and sets of
+//! every length.
 
 use std::ops::ControlFlow;
 
@@ -60,6 +61,9 @@ const AROUND: std::ops::Range<u64> = 0..16;
 /// The clocks from the first of these resets to the end.
 const BEFORE: u64 = 6;
 
+/// The most groups of sets of every length. Longer ones would take more clocks than all else here.
+const MOST_GROUPS: usize = 64;
+
 /// Generates all of this stimulus. Its amount does not depend on the seed.
 ///
 /// # Errors
@@ -94,7 +98,8 @@ pub(super) fn full_bank(
         return Ok(ControlFlow::Break(()));
     }
     if let Some(leaf) = machine.leaf()
-        && full_queues(machine, leaf, driver)?.is_break()
+        && (full_queues(machine, leaf, driver)?.is_break()
+            || every_length(machine, driver, held)?.is_break())
     {
         return Ok(ControlFlow::Break(()));
     }
@@ -126,6 +131,18 @@ fn full_queues(
         ..Traffic::STREAMING
     };
     driver.run(&all, traffic)
+}
+
+/// Sets of each number of groups, up to a number, twice in a row: in each place of each bank the last leaf has one group, and then two.
+fn every_length(
+    machine: &Machine,
+    driver: &mut Driver<'_>,
+    held: usize,
+) -> Result<ControlFlow<()>, StimulusError> {
+    let mut cases = Cases::new(machine, driver.rng());
+    let lengths = (1..=held.min(MOST_GROUPS)).flat_map(|groups| [groups; 2]);
+    let all: Vec<_> = lengths.map(|groups| cases.of_groups(groups)).collect();
+    driver.run(&all, Traffic::STREAMING)
 }
 
 /// The cases of all sets, with separate queries for each batch.
