@@ -1,7 +1,7 @@
-// Merges the results of a chain with those that pass it. Where both have one, they take turns.
+// Merges the results of a chain with those that pass it. Where both have one, they take turns. A word has five bits at least, as in a slice.
 module @TOP@_merge(clock, reset, own_valid, own_ready, own_word, passing_valid, passing_ready, passing_word,
     out_valid, out_ready, out_word);
-    parameter WIDTH = 2;
+    parameter WIDTH = 5;
     input wire clock;
     input wire reset;
     input wire own_valid;
