@@ -1,7 +1,7 @@
 //! Does the queries of a picture over one or several cores.
 
 use std::fmt;
-use std::ops::AddAssign;
+use std::ops::{AddAssign, Range};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard};
 use std::thread;
@@ -17,7 +17,7 @@ use photoncube_spec::{
 use thiserror::Error;
 
 use crate::found::{Found, take_split};
-use crate::frames::{FramePlan, Set};
+use crate::frames::{Frame, FramePlan};
 use crate::schedule::{Owed, Schedule, Scheduler};
 use crate::transport::{Transport, TransportError};
 
@@ -120,6 +120,52 @@ impl AddAssign for Work {
     }
 }
 
+/// The frames of a picture, which cores share.
+struct Exchanges<'a> {
+    plan: FramePlan<'a>,
+    rounds: &'a QueryRounds,
+    /// The frames whose sets a core is given at once.
+    frames: Vec<Range<usize>>,
+    next: AtomicUsize,
+    /// The number of frames that are done.
+    done: AtomicUsize,
+}
+
+impl<'a> Exchanges<'a> {
+    /// Shares out the frames: those of [`QUERIES_AT_ONCE`] queries for each chain at once, or fewer. Several cores have an even number of
+    /// exchanges, whatever their number. It does not depend on which is done first, so neither do the clocks.
+    fn new(core: &Core, cores: usize, plan: FramePlan<'a>, rounds: &'a QueryRounds) -> Self {
+        let queries = plan.frames().iter().map(|frame| plan.queries(frame));
+        let all: usize = queries.clone().sum();
+        let at_once = QUERIES_AT_ONCE * core.chains as usize;
+        let cores = cores.min(2);
+        let number = cores * all.div_ceil(cores * at_once);
+        let mut frames = Vec::new();
+        let (mut begins, mut before) = (0, 0);
+        for (frame, queries) in queries.enumerate() {
+            before += queries;
+            if before * number >= all * (frames.len() + 1) {
+                frames.push(begins..frame + 1);
+                begins = frame + 1;
+            }
+        }
+        Self {
+            plan,
+            rounds,
+            frames,
+            next: AtomicUsize::default(),
+            done: AtomicUsize::default(),
+        }
+    }
+
+    /// The frames of the next exchange.
+    fn next(&self) -> Option<&[Frame]> {
+        let next = self.next.fetch_add(1, Ordering::Relaxed);
+        let frames = self.frames.get(next)?;
+        self.plan.frames().get(frames.clone())
+    }
+}
+
 /// Receives the number of frames that are done, and of all frames.
 type Progress = Box<dyn Fn(usize, usize) + Sync + Send>;
 
@@ -197,14 +243,14 @@ impl<T: Transport> Driver<T> {
             .with_radii(radii)
             .with_rounds(&self.core, rounds);
         let nothing = vec![vec![Found::default(); queries.len()]; rounds.results()];
-        let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
+        let exchanges = &Exchanges::new(&self.core, self.transports.len(), plan, rounds);
         let worker = |transport: &Mutex<T>| {
             let mut share = Share {
                 found: nothing.clone(),
                 work: Work::default(),
             };
             let transport = &mut *locked(transport);
-            self.share(&plan, transport, rounds, &mut share, &next, &done)?;
+            self.share(exchanges, transport, &mut share)?;
             Ok(share)
         };
         let shares: Vec<Result<Share, TransportError>> = thread::scope(|scope| {
@@ -234,26 +280,24 @@ impl<T: Transport> Driver<T> {
         Ok(all)
     }
 
-    /// Does frames until none is left.
+    /// Does exchanges until none is left.
     fn share(
         &self,
-        plan: &FramePlan<'_>,
+        exchanges: &Exchanges<'_>,
         transport: &mut T,
-        rounds: &QueryRounds,
         share: &mut Share,
-        next: &AtomicUsize,
-        done: &AtomicUsize,
     ) -> Result<(), TransportError> {
         loop {
-            let (mut sets, frames) = self.several(plan, next);
-            if frames == 0 {
+            let Some(frames) = exchanges.next() else {
                 return Ok(());
-            }
-            if matches!(rounds, QueryRounds::Nearest(_)) {
+            };
+            let of_frames = frames.iter().flat_map(|frame| exchanges.plan.sets(frame));
+            let mut sets: Vec<_> = of_frames.collect();
+            if matches!(exchanges.rounds, QueryRounds::Nearest(_)) {
                 take_split(&mut sets, &mut share.found[0]);
             }
             if !sets.is_empty() {
-                let schedule = self.scheduler.schedule(&sets, rounds);
+                let schedule = self.scheduler.schedule(&sets, exchanges.rounds);
                 let answer = transport.exchange(&schedule.words)?;
                 share.work += Work {
                     queries: 0,
@@ -264,26 +308,9 @@ impl<T: Transport> Driver<T> {
                 };
                 self.read(schedule, &answer, &mut share.found)?;
             }
-            let all_done = done.fetch_add(frames, Ordering::Relaxed) + frames;
-            (self.progress)(all_done, plan.frames().len());
+            let done = exchanges.done.fetch_add(frames.len(), Ordering::Relaxed) + frames.len();
+            (self.progress)(done, exchanges.plan.frames().len());
         }
-    }
-
-    /// The sets of the next frames, and the number of these; 0 where none is left.
-    fn several(&self, plan: &FramePlan<'_>, next: &AtomicUsize) -> (Vec<Set>, usize) {
-        let mut all = Vec::new();
-        let (mut frames, mut queries) = (0, 0);
-        while queries < QUERIES_AT_ONCE * self.core.chains as usize {
-            let Some(frame) = plan.frames().get(next.fetch_add(1, Ordering::Relaxed)) else {
-                break;
-            };
-            frames += 1;
-            let sets = plan.sets(frame);
-            let batches = sets.iter().flat_map(|set| &set.batches);
-            queries += batches.map(|batch| batch.queries.len()).sum::<usize>();
-            all.extend(sets);
-        }
-        (all, frames)
     }
 
     /// Adds the results to what was found of their queries.

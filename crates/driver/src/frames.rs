@@ -154,6 +154,12 @@ impl<'a> FramePlan<'a> {
         frames
     }
 
+    /// The number of queries of a frame.
+    pub(crate) fn queries(&self, frame: &Frame) -> usize {
+        let batches = &self.batches.batches[frame.batches.clone()];
+        batches.iter().map(|batch| batch.queries.len()).sum()
+    }
+
     /// The sets of a frame, each with its batches; none where no batch wants a photon.
     pub fn sets(&self, frame: &Frame) -> Vec<Set> {
         let mut all = Vec::new();
