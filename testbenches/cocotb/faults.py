@@ -16,7 +16,7 @@ FAULTS = {
     # Results count down.
     "count-down": (r"counter_results \+ seen_result_moves", "counter_results - seen_result_moves"),
     # A slice loses the word in its second place where its first moves out.
-    "lose-word": (r"first_full <= second_full \|", "first_full <= second_full &"),
+    "lose-word": (r"second_full \| comes : 1'b1", "second_full & comes : 1'b1"),
     # Results of queries outside of their frame keep their sums.
     "keep-sums": (r"result_seen = result_outside \?", "result_seen = !result_outside ?"),
     # The bit that clears the counters restarts the core.

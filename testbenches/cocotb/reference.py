@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from shape import Shape
 
 PHOTONS = 8
+GROUP = 4
 FACINGS = 32
 AXES = ("x", "y", "z")
 
@@ -47,11 +48,10 @@ class Photon:
 
 @dataclass(frozen=True)
 class Leaf:
-    """A leaf of a set. `groups` is 1 for the last leaf of a set without photons in its second half."""
+    """A leaf of a set: the photons of each group. The last leaf of a set has one group if it has no photons in its second half."""
 
-    photons: list[Photon]
+    groups: list[list[Photon]]
     facing: int
-    groups: int
 
 
 @dataclass(frozen=True)
@@ -75,6 +75,7 @@ class Geometry:
         self.extra = shape.extra_bits
         radius = (1 << (shape.position_bits + shape.extra_bits)) - 2
         self.radius_sq = (2 * radius) ** 2
+        self.most = shape.photons.fields["x_0"].most
         self.largest_word = radius**2 - min(1, self.extra)
 
     def photon(self, cell: int) -> int:
@@ -98,14 +99,18 @@ class Geometry:
         distances = map(self.distance, query.cell, photon.cell)
         return sum(distance**2 for distance in distances) <= query.radius_sq
 
+    def box(self, photons: list[Photon]) -> Borders:
+        """The box around a group. Without photons, its low borders are the highest cell and its high borders the lowest."""
+        return borders([photon.cell for photon in photons]) if photons else [(self.most, 0)] * len(AXES)
+
     def boxes_are_near(self, queries: Borders, photons: Borders) -> bool:
-        """Whether the box of a leaf is in range of the box of a batch."""
+        """Whether the box of a group is in range of the box of a batch."""
         total = 0
         for (query_low, query_high), (photon_low, photon_high) in zip(queries, photons):
             above = self.distance(query_low, photon_high)
             below = self.distance(query_high, photon_low)
             # Where the boxes overlap, the gap is the smallest distance that there is.
-            gap = above if above >= 0 else below if below < 0 else min(1, self.extra)
+            gap = below if below < 0 else above if above >= 0 else min(1, self.extra)
             total += gap**2
         return total <= self.radius_sq
 
@@ -136,8 +141,6 @@ class Reference:
         self.spare = sum(1 << bit for bit in shape.queries.spare_bits())
         self.counters: Counter[str] = Counter()
         self.events: set[str] = set()
-        # A leaf without photons has no box, so the rules do not say whether it is wanted.
-        self.knows_wanted = True
         self.restart()
 
     def restart(self) -> None:
@@ -147,7 +150,6 @@ class Reference:
     def clear_counters(self) -> None:
         """Sets all counters to 0."""
         self.counters.clear()
-        self.knows_wanted = True
 
     def take_leaf(self, beat: Beat) -> None:
         """A word of the photon stream."""
@@ -166,10 +168,10 @@ class Reference:
         if present != sorted(present, reverse=True):
             self.counters["leaves_malformed"] += 1
             self.events.add("leaf_malformed")
-        short = beat.last and not any(present[PHOTONS // 2 :])
-        photons = [self.photon(values, place) for place in range(PHOTONS) if present[place]]
-        self.knows_wanted &= bool(photons)
-        chain.leaves.append(Leaf(photons, values["facing"], 1 if short else 2))
+        short = beat.last and not any(present[GROUP:])
+        halves = (range(GROUP), range(GROUP, PHOTONS))
+        groups = [[self.photon(values, place) for place in half if present[place]] for half in halves]
+        chain.leaves.append(Leaf(groups[:1] if short else groups, values["facing"]))
         full = len(chain.leaves) == self.shape.set_leaves
         if full and not beat.last:
             self.events.add("set_too_long")
@@ -224,7 +226,7 @@ class Reference:
             batch, leaves = chain.batches.popleft(), chain.sets[0]
             facings = batch[0].facings
             gathered = [leaf for leaf in leaves if facings >> leaf.facing & 1]
-            photons = [photon for leaf in gathered for photon in leaf.photons]
+            photons = [photon for leaf in gathered for group in leaf.groups for photon in group]
             for query in batch:
                 chain.results.append(self.result(number, query, photons))
             self.count_played(batch, leaves)
@@ -249,16 +251,16 @@ class Reference:
         self.counters["leaves_compared"] += len(leaves)
         box = borders([query.cell for query in batch])
         facings = batch[0].facings
+        # For each leaf, its groups that are wanted.
         wanted = [
-            bool(facings >> leaf.facing & 1 and leaf.photons)
-            and self.geometry.boxes_are_near(box, borders([photon.cell for photon in leaf.photons]))
+            (facings >> leaf.facing & 1)
+            * sum(self.geometry.boxes_are_near(box, self.geometry.box(group)) for group in leaf.groups)
             for leaf in leaves
         ]
-        self.counters["leaves_wanted"] += sum(wanted)
-        played = sum(leaf.groups for leaf, is_wanted in zip(leaves, wanted) if is_wanted)
+        self.counters["leaves_wanted"] += sum(map(bool, wanted))
         # The last pair is always played: where none of its leaves is wanted, as one group without photons.
         last_pair = wanted[(len(wanted) - 1) // 2 * 2 :]
-        self.counters["groups_played"] += played + (not any(last_pair))
+        self.counters["groups_played"] += sum(wanted) + (not any(last_pair))
 
     def owes(self) -> int:
         """Results that must still leave."""

@@ -187,10 +187,10 @@ async def one_query(dut: SimHandleBase) -> None:
     bench.results.pause = False
     await until(bench, "a result that moves", lambda: bench.watch.beats["results"])
     left = bench.watch.counts["clocks"]
-    # An event is a clock late.
-    await ClockCycles(dut.aclk, 2)
+    # That no query is left is known a clock late, and an event is a clock late.
+    await ClockCycles(dut.aclk, 3)
     assert dut.irq.value == 1
-    # It is given in the clock behind the one in which it moved, and is under way from the next on.
+    # It is given in the clock behind the one in which it moved. That it came and that its result went are both counted a clock late.
     busy = await bench.counter("busy_clocks")
     assert busy == left - moved - 1, f"busy_clocks: found {busy}, expected {left - moved - 1}"
     await bench.check_quiet()
@@ -253,9 +253,9 @@ async def stalled(dut: SimHandleBase) -> None:
         await RisingEdge(dut.aclk)
         clocks += 1
         assert clocks < 2 * limit, "the event stalled did not occur"
-    # Behind the edge at which the query moved: a clock in the slice, the silent ones, two by which these are counted late, one by
-    # which events are late, and one in which the pin is read.
-    assert clocks == limit + 5, f"stalled after {clocks} clocks, expected {limit + 5}"
+    # Behind the edge at which the query moved: a clock in the slice, one by which the query is counted late, the silent ones, two by
+    # which these are counted late, one by which events are late, and one in which the pin is read.
+    assert clocks == limit + 6, f"stalled after {clocks} clocks, expected {limit + 6}"
     bench.reference.events.add("stalled")
     bench.send(bench.photons, [traffic.leaf(True, 0)])
     await bench.drain()
