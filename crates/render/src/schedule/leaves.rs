@@ -16,7 +16,7 @@ pub const GROUP: usize = Spatial::LANES;
 pub struct Leaf {
     /// The box around the middles of the photons' cells, for each group.
     pub groups: Vec<Bounds>,
-    /// The photons, as indices into [`QuantisedMap::records`], in groups of [`GROUP`]. A leaf of a run's last photons may have fewer than
+    /// The photons, as indices into [`QuantisedMap::records`], in groups of `GROUP`. A leaf of a run's last photons may have fewer than
     /// the others.
     pub photons: Vec<u32>,
 }
