@@ -1,8 +1,7 @@
 //! Does the queries of a picture over one or several cores.
 
 use std::fmt;
-use std::ops::{AddAssign, Range};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::ops::AddAssign;
 use std::sync::{Mutex, MutexGuard};
 use std::thread;
 
@@ -16,14 +15,11 @@ use photoncube_spec::{
 };
 use thiserror::Error;
 
+use crate::exchanges::Exchanges;
 use crate::found::{Found, take_split};
-use crate::frames::{Frame, FramePlan};
+use crate::frames::FramePlan;
 use crate::schedule::{Owed, Schedule, Scheduler};
 use crate::transport::{Transport, TransportError};
-
-/// Queries, about, that each chain is given at once. At their end the chains become empty one after the other, which costs a core some
-/// thousand clocks.
-const QUERIES_AT_ONCE: usize = 1 << 15;
 
 /// The error of a driver.
 #[derive(Debug, Error)]
@@ -120,52 +116,6 @@ impl AddAssign for Work {
     }
 }
 
-/// The frames of a picture, which cores share.
-struct Exchanges<'a> {
-    plan: FramePlan<'a>,
-    rounds: &'a QueryRounds,
-    /// The frames whose sets a core is given at once.
-    frames: Vec<Range<usize>>,
-    next: AtomicUsize,
-    /// The number of frames that are done.
-    done: AtomicUsize,
-}
-
-impl<'a> Exchanges<'a> {
-    /// Shares out the frames: those of [`QUERIES_AT_ONCE`] queries for each chain at once, or fewer. Several cores have an even number of
-    /// exchanges, whatever their number. It does not depend on which is done first, so neither do the clocks.
-    fn new(core: &Core, cores: usize, plan: FramePlan<'a>, rounds: &'a QueryRounds) -> Self {
-        let queries = plan.frames().iter().map(|frame| plan.queries(frame));
-        let all: usize = queries.clone().sum();
-        let at_once = QUERIES_AT_ONCE * core.chains as usize;
-        let cores = cores.min(2);
-        let number = cores * all.div_ceil(cores * at_once);
-        let mut frames = Vec::new();
-        let (mut begins, mut before) = (0, 0);
-        for (frame, queries) in queries.enumerate() {
-            before += queries;
-            if before * number >= all * (frames.len() + 1) {
-                frames.push(begins..frame + 1);
-                begins = frame + 1;
-            }
-        }
-        Self {
-            plan,
-            rounds,
-            frames,
-            next: AtomicUsize::default(),
-            done: AtomicUsize::default(),
-        }
-    }
-
-    /// The frames of the next exchange.
-    fn next(&self) -> Option<&[Frame]> {
-        let next = self.next.fetch_add(1, Ordering::Relaxed);
-        let frames = self.frames.get(next)?;
-        self.plan.frames().get(frames.clone())
-    }
-}
-
 /// Receives the number of frames that are done, and of all frames.
 type Progress = Box<dyn Fn(usize, usize) + Sync + Send>;
 
@@ -243,14 +193,15 @@ impl<T: Transport> Driver<T> {
             .with_radii(radii)
             .with_rounds(&self.core, rounds);
         let nothing = vec![vec![Found::default(); queries.len()]; rounds.results()];
-        let exchanges = &Exchanges::new(&self.core, self.transports.len(), plan, rounds);
+        let exchanges = &Exchanges::new(&plan, &self.core, self.transports.len());
+        let plan = &plan;
         let worker = |transport: &Mutex<T>| {
             let mut share = Share {
                 found: nothing.clone(),
                 work: Work::default(),
             };
             let transport = &mut *locked(transport);
-            self.share(exchanges, transport, &mut share)?;
+            self.share(plan, exchanges, rounds, transport, &mut share)?;
             Ok(share)
         };
         let shares: Vec<Result<Share, TransportError>> = thread::scope(|scope| {
@@ -283,7 +234,9 @@ impl<T: Transport> Driver<T> {
     /// Does exchanges until none is left.
     fn share(
         &self,
+        plan: &FramePlan<'_>,
         exchanges: &Exchanges<'_>,
+        rounds: &QueryRounds,
         transport: &mut T,
         share: &mut Share,
     ) -> Result<(), TransportError> {
@@ -291,13 +244,13 @@ impl<T: Transport> Driver<T> {
             let Some(frames) = exchanges.next() else {
                 return Ok(());
             };
-            let of_frames = frames.iter().flat_map(|frame| exchanges.plan.sets(frame));
+            let of_frames = frames.iter().flat_map(|frame| plan.sets(frame));
             let mut sets: Vec<_> = of_frames.collect();
-            if matches!(exchanges.rounds, QueryRounds::Nearest(_)) {
+            if matches!(rounds, QueryRounds::Nearest(_)) {
                 take_split(&mut sets, &mut share.found[0]);
             }
             if !sets.is_empty() {
-                let schedule = self.scheduler.schedule(&sets, exchanges.rounds);
+                let schedule = self.scheduler.schedule(&sets, rounds);
                 let answer = transport.exchange(&schedule.words)?;
                 share.work += Work {
                     queries: 0,
@@ -308,8 +261,7 @@ impl<T: Transport> Driver<T> {
                 };
                 self.read(schedule, &answer, &mut share.found)?;
             }
-            let done = exchanges.done.fetch_add(frames.len(), Ordering::Relaxed) + frames.len();
-            (self.progress)(done, exchanges.plan.frames().len());
+            (self.progress)(exchanges.done(frames.len()), plan.frames().len());
         }
     }
 

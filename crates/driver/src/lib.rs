@@ -3,6 +3,7 @@
 mod cull;
 mod cut;
 mod driver;
+mod exchanges;
 mod forecast;
 mod found;
 mod frames;

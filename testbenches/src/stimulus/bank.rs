@@ -1,6 +1,5 @@
 //! Stimulus for a photon memory: banks filled to the last place, with and without a last group there. In a memory of leaves also
-//! queues filled to the last place, and sets of
-//! every length.
+//! queues filled to the last place, and sets of every length.
 
 use std::ops::ControlFlow;
 
@@ -133,7 +132,8 @@ fn full_queues(
     driver.run(&all, traffic)
 }
 
-/// Sets of each number of groups, up to a number, twice in a row: in each place of each bank the last leaf has one group, and then two.
+/// Sets of each number of groups, up to [`MOST_GROUPS`], each twice in a row, so that each bank takes it. Thus the last leaf of a set has one
+/// group, and then two, at each place of each bank.
 fn every_length(
     machine: &Machine,
     driver: &mut Driver<'_>,

@@ -7,7 +7,7 @@ use super::ram::AsyncRam;
 use super::{FACINGS, MASK};
 use crate::defaults::defaulted;
 
-/// Issues the pairs of a set. `LB` bits of a leaf's number, `KB = LB - 1` of a pair's.
+/// Issues the pairs of a set. `LB` bits of a leaf's number, `KB = LB - 1` of a pair's, `QN` of the number of places in the queue of pairs.
 #[derive(LogicBlock)]
 pub(crate) struct Scan<const LB: usize, const KB: usize, const QN: usize> {
     pub clock: Signal<In, Clock>,
@@ -261,7 +261,8 @@ impl<const KB: usize> Logic for CullStage<KB> {
     }
 }
 
-/// The queue of pairs with a wanted group, and of the last pairs of batches. `KB` bits of a pair's number.
+/// The queue of pairs with a wanted group, and of the last pairs of batches. `KB` bits of a pair's number, `QB` of a place,
+/// `QN = QB + 1` of the number of pairs.
 #[derive(LogicBlock, Default)]
 pub(crate) struct PairQueue<const KB: usize, const QB: usize, const QN: usize> {
     pub clock: Signal<In, Clock>,
