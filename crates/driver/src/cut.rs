@@ -11,6 +11,7 @@ use photoncube_spec::Core;
 use crate::cull::{WantedLeaf, wanted};
 use crate::forecast::Forecaster;
 use crate::frames::{PhotonLeaf, Set, SetBatch};
+use crate::order::put_in_order;
 
 /// The most clocks of a round of a set with several batches, about. Where sets are longer, the chains of a core end their last sets at
 /// different times. Where they have so few batches that no rounds of several are under way at once, the engines wait.
@@ -73,10 +74,19 @@ impl Cutter {
             for chunk in wanted.by(&part).chunks(self.set_leaves) {
                 let is_in = |leaf: &WantedLeaf| chunk.binary_search(&leaf.index).is_ok();
                 let gathers = |batch: &usize| wanted.of_batch[*batch].iter().any(is_in);
-                let gathering = part.clone().filter(gathers);
+                let gathering: Vec<_> = part.clone().filter(gathers).collect();
+                let wanted_by: Vec<_> = gathering
+                    .iter()
+                    .map(|&batch| &*wanted.of_batch[batch])
+                    .collect();
+                let mut chunk = chunk.to_vec();
+                put_in_order(&mut chunk, &wanted_by);
                 all.push(Set {
                     leaves: chunk.iter().map(|&leaf| leaves[leaf].clone()).collect(),
-                    batches: gathering.map(|batch| batches[batch].clone()).collect(),
+                    batches: gathering
+                        .iter()
+                        .map(|&batch| batches[batch].clone())
+                        .collect(),
                 });
             }
         }
@@ -173,6 +183,8 @@ mod tests {
         let cutter = small();
         let (leaves, batches) = plane(&cutter);
         let format = cutter.forecaster.format();
+        // Leaves of the plane, in its order.
+        let place = |leaf: &PhotonLeaf| leaves.iter().position(|other| other == leaf).unwrap();
         let mut pairs = 0;
         let mut found = vec![Vec::new(); batches.len()];
         for set in cutter.sets(&leaves, &batches) {
@@ -191,16 +203,14 @@ mod tests {
             for (batch, wanted) in set.batches.iter().zip(wanted) {
                 pairs += wanted.len();
                 let number = batches.iter().position(|other| other == batch).unwrap();
-                found[number].extend(wanted.iter().map(|leaf| set.leaves[leaf.index].clone()));
+                found[number].extend(wanted.iter().map(|leaf| place(&set.leaves[leaf.index])));
             }
         }
         assert!(pairs > batches.len());
-        for (batch, found) in batches.iter().zip(found) {
+        for (batch, mut found) in batches.iter().zip(found) {
             let wanted = wanted(format, &leaves, std::slice::from_ref(batch));
-            let expected: Vec<_> = wanted[0]
-                .iter()
-                .map(|leaf| leaves[leaf.index].clone())
-                .collect();
+            let expected: Vec<_> = wanted[0].iter().map(|leaf| leaf.index).collect();
+            found.sort_unstable();
             assert_eq!(found, expected);
         }
     }

@@ -1,49 +1,45 @@
 //! A forecast of the clocks that a core takes.
 //!
 //! A batch takes the longer of two: comparing the boxes of all leaves of its set, [`Leaf::PAIR`] leaves a clock, and playing the groups
-//! that are wanted, one a clock. A chain has two banks: while it works on a set it reads in the next, a group a clock. The
-//! stream of photons has a leaf a clock for all chains, and the stream of queries a query.
+//! that are wanted, one a clock; but at least the clocks in which its queries are taken and its first pair is compared. When each
+//! chain works on which batch is in the [`Timetable`].
 
 use photoncube_render::{QuantisedMap, QueryPoint};
-use photoncube_spec::{Core, Leaf, LeafSizes, PhotonFormat};
+use photoncube_spec::{Core, Leaf, PhotonFormat};
 use rayon::prelude::*;
 
+use crate::chain::{BatchWork, ChainClocks};
 use crate::cull::{WantedLeaf, wanted};
-use crate::frames::{FramePlan, Set, SetSize};
-
-/// Clocks between two batches of a chain beside those of its work, about.
-const BATCH_CLOCKS: u64 = 1;
+use crate::frames::{FramePlan, Set, SetBatch};
+use crate::shares::SetWork;
+use crate::timetable::Timetable;
 
 /// A forecast for a picture.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Forecast {
     /// Queries of the picture.
     pub queries: u64,
-    /// Clocks until the last result.
+    /// Clocks until the last group is played.
     pub clocks: u64,
 }
 
 impl Forecast {
-    /// Forecasts the queries of a picture on a core whose chains are all busy until the end.
+    /// Forecasts the queries of a picture on a core that is given all of them at once.
     ///
     /// # Panics
     /// Where the map has not the numbers of the core's machine.
     pub fn of(core: &Core, map: &QuantisedMap<'_>, queries: &[QueryPoint]) -> Self {
         let plan = FramePlan::new(map, core, queries);
         let forecaster = Forecaster::new(core);
-        let of_set = |set: &Set| (set.size(), forecaster.batches(set).iter().sum());
-        let of_frame = |frame| plan.sets(frame).iter().map(of_set).collect::<Vec<_>>();
-        let frames: Vec<_> = plan.frames().par_iter().map(of_frame).collect();
-        let mut load = Load::new(1);
-        for (size, batches) in frames.into_iter().flatten() {
-            load.add(0, size, batches);
-        }
+        let works = |frame| -> Vec<_> {
+            let sets = plan.sets(frame);
+            sets.iter().map(|set| forecaster.work(set)).collect()
+        };
+        let frames: Vec<_> = plan.frames().par_iter().map(works).collect();
+        let sets: Vec<_> = frames.into_iter().flatten().collect();
         Self {
             queries: queries.len() as u64,
-            clocks: load
-                .of_chains()
-                .div_ceil(core.chains.into())
-                .max(load.of_streams()),
+            clocks: Timetable::of(core, &sets).clocks,
         }
     }
 
@@ -53,89 +49,11 @@ impl Forecast {
     }
 }
 
-/// When a chain reads in a set and works on it.
-#[derive(Copy, Clone, Debug, Default)]
-pub(crate) struct Times {
-    /// The clock from which a bank is free for the set: that in which the set before it begins.
-    pub(crate) bank_is_free: u64,
-    /// The clock in which its first batch begins.
-    pub(crate) begins: u64,
-}
-
-/// What a chain was given.
-#[derive(Copy, Clone, Debug, Default)]
-struct Chain {
-    last: Times,
-    /// The clock in which the last leaf is read in.
-    is_loaded: u64,
-    /// The clock in which the last batch ends.
-    ends: u64,
-}
-
-/// The sets that the chains of a core were given.
-#[derive(Clone, Debug)]
-pub(crate) struct Load {
-    chains: Vec<Chain>,
-    /// Leaves and queries of all chains.
-    leaves: u64,
-    queries: u64,
-}
-
-impl Load {
-    pub(crate) fn new(chains: usize) -> Self {
-        Self {
-            chains: vec![Chain::default(); chains],
-            leaves: 0,
-            queries: 0,
-        }
-    }
-
-    /// The chain that is done first.
-    pub(crate) fn first_free(&self) -> usize {
-        let chains = 0..self.chains.len();
-        let first = chains.min_by_key(|&chain| self.chains[chain].ends);
-        first.expect("a core has a chain")
-    }
-
-    /// Gives a chain a set of a size whose batches take so many clocks.
-    pub(crate) fn add(&mut self, chain: usize, size: SetSize, batches: u64) -> Times {
-        let SetSize { leaves, queries } = size;
-        self.leaves += leaves;
-        self.queries += queries;
-        let chain = &mut self.chains[chain];
-        let bank_is_free = chain.last.begins;
-        chain.is_loaded = chain.is_loaded.max(bank_is_free) + leaves * Leaf::GROUPS as u64;
-        let begins = chain.ends.max(chain.is_loaded);
-        chain.ends = begins + batches;
-        chain.last = Times {
-            bank_is_free,
-            begins,
-        };
-        chain.last
-    }
-
-    /// The clocks until the last chain is done.
-    pub(crate) fn clocks(&self) -> u64 {
-        self.of_chains().max(self.of_streams())
-    }
-
-    /// The clocks of the chain that is done last.
-    fn of_chains(&self) -> u64 {
-        let ends = self.chains.iter().map(|chain| chain.ends);
-        ends.max().unwrap_or(0)
-    }
-
-    /// The clocks of the longer stream, where a word moves in each.
-    fn of_streams(&self) -> u64 {
-        self.leaves.max(self.queries)
-    }
-}
-
 /// Forecasts the batches of a core.
 #[derive(Copy, Clone, Debug)]
 pub(crate) struct Forecaster {
     format: &'static PhotonFormat,
-    /// The fewest clocks of a batch.
+    /// The fewest clocks of a round of a batch.
     least: u64,
     /// The clocks in which each chain is given a leaf.
     leaf: u64,
@@ -148,7 +66,7 @@ impl Forecaster {
         let format = core.machine.format();
         Self {
             format: format.expect("a leaf machine has a photon format"),
-            least: LeafSizes::of(core.leaf()).least_spacing.into(),
+            least: ChainClocks::of(core).least(),
             leaf: (Leaf::GROUPS as u64).max(core.chains.into()),
             rounds: 1,
         }
@@ -172,21 +90,43 @@ impl Forecaster {
         self.rounds
     }
 
-    /// The clocks of each batch of a set.
-    pub(crate) fn batches(&self, set: &Set) -> Vec<u64> {
+    /// The work of a set.
+    pub(crate) fn work(&self, set: &Set) -> SetWork {
         let wanted = wanted(self.format, &set.leaves, &set.batches);
-        let clocks = |wanted: &Vec<WantedLeaf>| {
-            let groups = wanted.iter().map(|leaf| leaf.groups).sum();
-            self.batch(groups, set.leaves.len())
-        };
-        wanted.iter().map(clocks).collect()
+        let batches = set.batches.iter().zip(&wanted);
+        SetWork {
+            leaves: set.leaves.len() as u64,
+            batches: batches
+                .map(|(batch, wanted)| self.batch_work(batch, wanted, set.leaves.len()))
+                .collect(),
+        }
     }
 
-    /// The clocks of a batch that wants so many groups of a set of so many leaves.
+    /// The work of a batch that wants these of so many leaves.
+    fn batch_work(&self, batch: &SetBatch, wanted: &[WantedLeaf], leaves: usize) -> BatchWork {
+        let groups = wanted.iter().map(|leaf| leaf.groups).sum();
+        let pairs = leaves.div_ceil(Leaf::PAIR);
+        let pair = |leaf: &WantedLeaf| leaf.index / Leaf::PAIR;
+        // The last pair is queued in any case, and where none of its groups is wanted, one without photons is played.
+        let is_blank = wanted.last().is_none_or(|last| pair(last) + 1 < pairs);
+        let clocks = self.batch(groups, leaves);
+        BatchWork {
+            queries: batch.queries.len() as u64,
+            plays: match self.rounds {
+                1 => groups as u64 + u64::from(is_blank),
+                _ => clocks,
+            },
+            pairs: pairs as u64,
+            before: wanted.first().map_or(pairs - 1, pair) as u64,
+            clocks,
+        }
+    }
+
+    /// The clocks of a batch that wants so many groups of a set of so many leaves, in all rounds.
     pub(crate) fn batch(&self, groups: usize, leaves: usize) -> u64 {
         let played = groups as u64;
         let compared = leaves.div_ceil(Leaf::PAIR) as u64;
-        self.rounds * (played.max(compared).max(self.least) + BATCH_CLOCKS)
+        self.rounds * (played.max(compared).max(self.least))
     }
 
     /// The clocks of a set whose batches take so many clocks, where all chains read in sets of as many leaves.

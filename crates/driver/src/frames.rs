@@ -50,24 +50,6 @@ pub struct Set {
     pub batches: Vec<SetBatch>,
 }
 
-impl Set {
-    /// The size of the set.
-    pub(crate) fn size(&self) -> SetSize {
-        let queries = self.batches.iter().map(|batch| batch.queries.len() as u64);
-        SetSize {
-            leaves: self.leaves.len() as u64,
-            queries: queries.sum(),
-        }
-    }
-}
-
-/// The numbers of words that a core is given for a set.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub(crate) struct SetSize {
-    pub(crate) leaves: u64,
-    pub(crate) queries: u64,
-}
-
 /// The frames of a picture's queries, in the order in which a machine should be given them.
 #[derive(Debug)]
 pub struct FramePlan<'a> {

@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod chain;
 mod cull;
 mod cut;
 mod driver;
@@ -8,8 +9,11 @@ mod forecast;
 mod found;
 mod frames;
 mod model;
+mod order;
 mod schedule;
 mod serial;
+mod shares;
+mod timetable;
 mod transport;
 
 pub use driver::{Driver, DriverError, Work};

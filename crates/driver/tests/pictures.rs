@@ -84,12 +84,14 @@ fn a_core_renders_what_the_direct_gather_renders() {
         ] {
             assert_eq!(work.counter(wrong), 0, "{name}: {wrong:?}");
         }
-        // The forecast leaves out the first set's way in and the last results' way out. So small a picture keeps several chains
-        // busy for a part of the time only.
+        // So small a picture keeps several chains busy for a part of the time only, and its chains' first sets wait for each other.
         let (clocks, forecast) = (work.counter(CoreCounter::Clocks), work.clocks_forecast);
-        assert!(forecast <= clocks, "{name}: {forecast} of {clocks}");
-        if chains == 1 {
-            assert!(clocks * 8 <= forecast * 9, "{name}: {forecast} of {clocks}");
+        match chains {
+            1 => assert!(
+                clocks.abs_diff(forecast) * 100 <= clocks,
+                "{name}: {forecast} of {clocks}"
+            ),
+            _ => assert!(forecast <= clocks, "{name}: {forecast} of {clocks}"),
         }
         let in_several_sets = work.query_words > work.queries;
         assert_eq!(in_several_sets, name.ends_with("n128"), "{name}: {work:?}");
@@ -117,13 +119,12 @@ fn the_forecast_of_a_picture_is_near_its_simulated_clocks() {
         let engine = Engine::Hardware(core.machine, &driver);
         render(&scene, &map, engine, &view, &|_| ()).unwrap();
         let clocks = driver.work().counter(CoreCounter::Clocks);
-        // The forecast leaves out the first sets' way in: a leaf a clock for all chains, so at most this many clocks. A twentieth more
-        // stands for what the last sets of the chains end apart.
-        let way_in = u64::from(core.chains * core.set_leaves());
-        let (least, most) = (forecast.clocks, forecast.clocks * 21 / 20 + way_in);
+        // In the forecast, a leaf is sent at its time, also where its stream is free before, and not later for leaves of other chains. On
+        // these pictures that makes 1.1 % more and 1.5 % fewer clocks.
+        let forecast = forecast.clocks;
         assert!(
-            (least..=most).contains(&clocks),
-            "{}: {clocks}, forecast {least}",
+            clocks.abs_diff(forecast) * 50 <= clocks,
+            "{}: {clocks}, forecast {forecast}",
             scene.name()
         );
     }
