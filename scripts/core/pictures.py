@@ -1,6 +1,7 @@
-"""The tables of docs/cores.md about pictures: renders each with a core's emitted Verilog in Verilator and prints Markdown.
+"""The tables of docs/cores.md and docs/machines.md about pictures: renders each with a core's emitted Verilog in Verilator and prints
+Markdown.
 
-    python3 scripts/core/pictures.py             # six scenes, by six chains and by one
+    python3 scripts/core/pictures.py             # six scenes, by six chains and by one: a table for both pages
     python3 scripts/core/pictures.py --rounds    # one scene with each estimator, by a core with rounds
     python3 scripts/core/pictures.py --quick     # either table on small pictures, in a minute
 
@@ -66,6 +67,7 @@ def scenes(quick: bool) -> str:
         of = f"{chains} chain{'s' if chains > 1 else ''}"
         header += [f"fed, {of}", f"M queries/s, {of}"]
     rows = []
+    rows_of_one = []
     for scene, options in SCENES:
         picture = f"{scene} {QUICK if quick else options}".strip()
         cores = [render(picture, CHAIN, chains) for chains in PLACED]
@@ -74,7 +76,18 @@ def scenes(quick: bool) -> str:
             queries = core["queries_per_clock"] * megahertz(chains)
             row += [f"{100 * core['engines_fed']:.0f} %", f"{queries:.1f}"]
         rows.append(row)
-    return table(header, rows)
+        rows_of_one.append(row_of_one(picture, cores[PLACED.index(1)]))
+    header_of_one = ["scene and options", "queries", "tests for each photon in range", "clocks fed", "queries a clock", "clocks", "forecast"]
+    return f"{table(header, rows)}\n\n{table(header_of_one, rows_of_one)}"
+
+
+def row_of_one(picture: str, core: dict) -> list[str]:
+    """A row of the table of one chain in docs/machines.md."""
+    clocks = core["clocks"]
+    queries = round(core["queries_per_clock"] * clocks)
+    tests, fed = core["tests_per_photon_in_range"], f"{100 * core['engines_fed']:.0f} %"
+    row = [f"`{picture}`", f"{queries:,}", f"{tests:.2f}", fed, f"{core['queries_per_clock']:.4f}"]
+    return row + [f"{clocks:,}", f"{core['clocks_forecast']:,}"]
 
 
 def rounds(quick: bool) -> str:

@@ -2,7 +2,7 @@
 //!
 //! A chain plays the groups of a batch while it compares the boxes of the leaves with the next batch, and its queue holds
 //! the queries of two more. The rules of every register are those of [`photoncube_spec::LeafRegister`]; here they are clocks of batches, for a
-//! chain whose results leave as they are found. On a picture of 275,000 batches on one chain the sum is right to 23 of 16.6 million clocks.
+//! chain whose results leave as they are found. docs/machines.md compares such forecasts with counted clocks.
 
 use photoncube_spec::{Core, Leaf, LeafSizes};
 
@@ -122,4 +122,64 @@ pub(crate) fn loaded(core: &Core, chain: usize, sent: u64) -> u64 {
     // `Write`, `Half`, `Group`, `Box` and `Full`.
     let boxes = 5;
     sent + u64::from(core.stages(chain as u32)) + QUEUE_CLOCKS + Leaf::GROUPS as u64 + boxes
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
+
+    use super::*;
+
+    fn core() -> Core {
+        Core::new(find_machine("leaf-7-local7-rgb6d-n4096").unwrap(), 6).unwrap()
+    }
+
+    /// A batch that plays so many groups of a set of so many pairs, from the first on.
+    fn batch(plays: u64, pairs: u64) -> BatchWork {
+        BatchWork {
+            queries: 8,
+            plays,
+            pairs,
+            ..BatchWork::default()
+        }
+    }
+
+    /// The clocks between the last batches of many of a kind, whose words come as early as there is room, on a complete set.
+    fn between(batch: &BatchWork) -> u64 {
+        let mut times = ChainTimes::new(&core(), 0);
+        let ends: Vec<_> = (0..20)
+            .map(|_| {
+                times.add(batch, times.has_room(), 0);
+                times.ends()
+            })
+            .collect();
+        ends[19] - ends[18]
+    }
+
+    #[test]
+    fn batches_take_the_clocks_of_their_groups_or_pairs_or_the_least() {
+        let least = ChainClocks::of(&core()).least();
+        assert_eq!(between(&batch(8, 4)), least);
+        assert_eq!(between(&batch(60, 30)), 60);
+        assert_eq!(between(&batch(30, 60)), 60);
+        // With its first group in its last pair, a batch waits for the comparison.
+        let late = BatchWork {
+            before: 29,
+            ..batch(1, 30)
+        };
+        assert_eq!(between(&late), least + 29);
+    }
+
+    #[test]
+    fn a_batch_waits_for_its_set_and_for_its_words() {
+        let mut times = ChainTimes::new(&core(), 5);
+        times.add(&batch(10, 4), 0, 500);
+        let compares = ChainClocks::of(&core()).compares;
+        assert_eq!(times.ends(), 500 + compares + 9);
+        times.add(&batch(10, 4), 1_000, 500);
+        let on_the_way = u64::from(core().stages(5)) + QUEUE_CLOCKS;
+        assert_eq!(times.ends(), 1_000 + on_the_way + 9 + compares + 9);
+        // The queue has room for the third batch before the chain can take its queries.
+        assert!(times.has_room() < times.wants());
+    }
 }
