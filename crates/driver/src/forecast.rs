@@ -126,7 +126,7 @@ impl Forecaster {
     pub(crate) fn batch(&self, groups: usize, leaves: usize) -> u64 {
         let played = groups as u64;
         let compared = leaves.div_ceil(Leaf::PAIR) as u64;
-        self.rounds * (played.max(compared).max(self.least))
+        self.rounds * played.max(compared).max(self.least)
     }
 
     /// The clocks of a set whose batches take so many clocks, where all chains read in sets of as many leaves.
