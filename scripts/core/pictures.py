@@ -36,6 +36,15 @@ SCENES = (
 # Six chains only: one takes six times as many clocks.
 ROUNDS = [(PLACED[0], estimator) for estimator in ("fixed", "ladder:4:cone", "knn:50")]
 QUICK = "--photons 5000 --size 16x16"
+HEADER_OF_ONE = [
+    "scene and options",
+    "queries",
+    "tests for each photon in range",
+    "clocks fed",
+    "queries a clock",
+    "clocks",
+    "forecast",
+]
 
 
 def render(picture: str, machine: str, chains: int) -> dict:
@@ -61,7 +70,7 @@ def table(header: list[str], rows: list[list[str]]) -> str:
 
 
 def scenes(quick: bool) -> str:
-    """The table of the scenes: photon tests for each photon in range, engines fed, queries a second."""
+    """The tables of the scenes: photon tests for each photon in range, engines fed, queries a second; and of one chain its clocks."""
     header = ["scene and options", "tests for each in range"]
     for chains in PLACED:
         of = f"{chains} chain{'s' if chains > 1 else ''}"
@@ -77,8 +86,7 @@ def scenes(quick: bool) -> str:
             row += [f"{100 * core['engines_fed']:.0f} %", f"{queries:.1f}"]
         rows.append(row)
         rows_of_one.append(row_of_one(picture, cores[PLACED.index(1)]))
-    header_of_one = ["scene and options", "queries", "tests for each photon in range", "clocks fed", "queries a clock", "clocks", "forecast"]
-    return f"{table(header, rows)}\n\n{table(header_of_one, rows_of_one)}"
+    return f"{table(header, rows)}\n\n{table(HEADER_OF_ONE, rows_of_one)}"
 
 
 def row_of_one(picture: str, core: dict) -> list[str]:
