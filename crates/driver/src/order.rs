@@ -8,8 +8,7 @@ use photoncube_spec::Leaf;
 
 use crate::cull::WantedLeaf;
 
-/// Puts the leaves of a set into the order in which they should be compared with these batches. `leaves` has their indices among the
-/// leaves that batches want, lower ones first.
+/// Puts the leaves of a set into the order in which they should be compared with these batches. Both name a leaf by its index in the frame.
 pub(crate) fn put_in_order(leaves: &mut [usize], batches: &[&[WantedLeaf]]) {
     // In an odd number of leaves, the last is a pair of its own.
     let is_odd = leaves.len() % Leaf::PAIR == 1;

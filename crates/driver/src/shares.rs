@@ -11,7 +11,7 @@ use photoncube_spec::Leaf;
 
 use crate::chain::BatchWork;
 
-/// The next sets of a chain among which one is chosen that can be read in while the chain works on the one before.
+/// The next sets of a chain among which one is chosen that can be read in while the chain works on the one before. Of fewer, often none can.
 const CHOICE: usize = 16;
 
 /// The work of a set.

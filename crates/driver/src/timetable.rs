@@ -15,7 +15,8 @@ use photoncube_spec::{Core, Leaf};
 use crate::chain::{ChainTimes, loaded};
 use crate::shares::{SetWork, Shares};
 
-/// The part of the time of a set in which the leaves of the next are sent.
+/// The part of the time of a set in which the leaves of the next are sent. At the earliest they would hold back those of other chains where a
+/// bank is free later than in the timetable, and over the whole time the set would often be late.
 const SPREAD: (u64, u64) = (4, 5);
 
 /// A leaf of a set, in the order of its stream.
@@ -152,8 +153,8 @@ impl Sender<'_> {
         }
     }
 
-    /// The set that follows is that whose batches are sent next. The bank of the one before is free when that ends, and its leaves are
-    /// those of another set then.
+    /// Lets the batches of the chain's following set be sent, and sends the leaves of the set behind it. These go into the bank of the set
+    /// before, from when its last batch ends.
     fn begin_set(&mut self, number: usize) {
         let chain = &mut self.chains[number];
         let bank_is_free = chain.times.ends();
@@ -350,24 +351,20 @@ mod tests {
             batches: vec![batch],
         };
         let sets = vec![set; 80];
-        let turns = |chain: usize| (0..40).map(move |number| (chain, 40 * chain + number));
+        let sets_of = |chain: usize| (0..40).map(move |number| (chain, 40 * chain + number));
+        let leaf = |(chain, set)| LeafTurn {
+            chain,
+            set,
+            leaf: 0,
+        };
+        let batch = |(chain, set)| BatchTurn {
+            chain,
+            set,
+            batch: 0,
+        };
         let timetable = Timetable {
-            leaves: turns(1)
-                .chain(turns(0))
-                .map(|(chain, set)| LeafTurn {
-                    chain,
-                    set,
-                    leaf: 0,
-                })
-                .collect(),
-            batches: turns(0)
-                .chain(turns(1))
-                .map(|(chain, set)| BatchTurn {
-                    chain,
-                    set,
-                    batch: 0,
-                })
-                .collect(),
+            leaves: sets_of(1).chain(sets_of(0)).map(leaf).collect(),
+            batches: sets_of(0).chain(sets_of(1)).map(batch).collect(),
             clocks: 0,
         };
         let (queries, leaves, _) = run(&core, &sets, &timetable);

@@ -130,6 +130,31 @@ fn the_forecast_of_a_picture_is_near_its_simulated_clocks() {
     }
 }
 
+/// With 20 photons in range most batches take the clocks of the chain's pipeline, with 200 those of their groups. The loads of sets, which the
+/// forecast has less exactly, wait for nothing here. A clock too many or too few in each batch would be fifty times the error that it may have.
+#[test]
+fn the_forecast_of_one_chain_has_each_clock_of_its_batches() {
+    let view = ViewOptions {
+        width: 192,
+        height: 192,
+        ..VIEW
+    };
+    let core = core(1, "leaf-7-local7-rgb6d-n4096");
+    let batches = u64::from(view.width * view.height) / core.engines() as u64;
+    for in_range in [20.0, 60.0, 200.0] {
+        let (scene, map) = traced("cornell", in_range);
+        let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
+        let engine = Engine::Hardware(core.machine, &driver);
+        render(&scene, &map, engine, &view, &|_| ()).unwrap();
+        let work = driver.work();
+        let (clocks, forecast) = (work.counter(CoreCounter::Clocks), work.clocks_forecast);
+        assert!(
+            clocks.abs_diff(forecast) * 50 <= batches,
+            "{in_range} in range: {forecast} of {clocks} clocks, {batches} batches"
+        );
+    }
+}
+
 /// The picture of an estimator by a model of a core, and its gathers.
 fn estimated(
     (scene, map): &(Scene, PhotonMap),
