@@ -114,6 +114,18 @@ impl PhotonPlanes {
         faces: impl Fn(u32, u32) -> bool,
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
+        self.gather_facing(instructions, radius_sq, queries, &faces, found)
+    }
+
+    /// Not generic over the closure, so that the kernel of each instruction set is compiled once, in this crate.
+    fn gather_facing(
+        &self,
+        instructions: Instructions,
+        radius_sq: u32,
+        queries: &[PlacedQuery],
+        faces: &dyn Fn(u32, u32) -> bool,
+        found: &mut [Gathered],
+    ) -> Result<(), GatherError> {
         assert_eq!(found.len(), queries.len(), "a place for each query");
         let position = [self.format().edge_steps(); 3];
         self.planes.limits.check_query(&Query {
@@ -150,7 +162,7 @@ impl PhotonPlanes {
     }
 }
 
-impl<F: Fn(u32, u32) -> bool> Work<'_, F> {
+impl Work<'_> {
     #[inline(always)]
     fn by<L: Lanes>(self, lanes: L) -> Result<(), GatherError>
     where

@@ -11,17 +11,17 @@ use super::windows::{Seen, Span, Windows};
 use crate::gather::GatherError;
 
 /// The input and output of one gather.
-pub(super) struct Work<'a, F> {
+pub(super) struct Work<'a> {
     pub photons: &'a PhotonPlanes,
     /// The queries' positions in the frames of their cubes.
     pub positions: &'a [[u16; 3]],
     pub frame: Frame,
-    pub windows: Windows<'a, F>,
+    pub windows: Windows<'a>,
     /// The results, one for each query.
     pub found: &'a mut [Gathered],
 }
 
-impl<F: Fn(u32, u32) -> bool> Work<'_, F> {
+impl Work<'_> {
     /// Gathers every query with the instruction set `L`, which the processor must have. Leaves that are flat
     /// on one axis use `Q`.
     #[inline(always)]

@@ -203,10 +203,10 @@ const LEVELS: usize = 4;
 
 /// The windows of a gather. The leaves around a cube are looked up once. Where they are more than a tray
 /// holds, windows are half as wide, and so on down to a block.
-pub(super) struct Windows<'a, F> {
+pub(super) struct Windows<'a> {
     photons: &'a PhotonPlanes,
     /// Whether queries of a facing gather a group.
-    faces: F,
+    faces: &'a dyn Fn(u32, u32) -> bool,
     spans: Vec<Span>,
     /// The end of the last window's spans.
     next: usize,
@@ -218,8 +218,12 @@ pub(super) struct Windows<'a, F> {
     near: [Vec<u32>; LEVELS],
 }
 
-impl<'a, F: Fn(u32, u32) -> bool> Windows<'a, F> {
-    pub fn new(photons: &'a PhotonPlanes, queries: &[PlacedQuery], faces: F) -> Self {
+impl<'a> Windows<'a> {
+    pub fn new(
+        photons: &'a PhotonPlanes,
+        queries: &[PlacedQuery],
+        faces: &'a dyn Fn(u32, u32) -> bool,
+    ) -> Self {
         Self {
             photons,
             faces,
