@@ -159,7 +159,7 @@ macro_rules! built_in {
 
 // coordinate, photon, difference, square, radius_sq; mantissa, exponent, power, work, sum;
 // address, control word, axes; cells, lanes
-#[cfg(feature = "named-machines")]
+#[cfg(all(feature = "named-machines", not(test)))]
 built_in! {
     8 8 8 16 18  16 0 16 18 32  4 15 4  16 4;
     12 12 12 24 26  16 0 16 26 32  4 15 4  16 4;
@@ -256,16 +256,17 @@ macro_rules! built_in_spatial {
 
 // coordinate, photon, difference, radius, square, table's word, two digit products, product, pair, distance;
 // mantissa, exponent, power, pair's power, group's power, sum, count
-#[cfg(feature = "named-machines")]
+#[cfg(all(feature = "named-machines", not(test)))]
 built_in_spatial! {
     10 10 11 8 16 17 6 6 20 17 18;  8 0 8 9 10 22 15;
     9 9 10 7 14 15 6 4 18 15 16;  6 0 6 7 8 18 13;
 }
 
-// A generator has one machine of its own, and no table.
-#[cfg(not(feature = "named-machines"))]
+// A generator has one machine of its own, and no table. The unit tests have none, so that they are compiled in seconds;
+// tests/machines.rs tests the tables.
+#[cfg(any(test, not(feature = "named-machines")))]
 built_in! {}
-#[cfg(not(feature = "named-machines"))]
+#[cfg(any(test, not(feature = "named-machines")))]
 built_in_spatial! {}
 
 /// The widths and sizes of a machine with a program, in the order of the table.
@@ -350,69 +351,4 @@ pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, 
     let mut block = block.ok_or_else(|| NotBuiltIn::of(machine, level))?;
     block.connect_all();
     Ok(block)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use photoncube_spec::{MACHINES, Numbers, PlainFormat};
-
-    #[test]
-    fn every_named_machine_is_built_in() {
-        for machine in MACHINES {
-            for level in Level::of(machine) {
-                assert!(build(machine, level).is_ok(), "{} {level:?}", machine.name);
-            }
-        }
-    }
-
-    #[test]
-    fn a_machine_is_built_with_any_program_that_fits_its_store() {
-        use photoncube_spec::{Axis, Microprogram, Op, OwnProgram, Step};
-        let longest = |name| {
-            let machine = MACHINES.iter().find(|m| m.name == name).unwrap();
-            let most = most_steps(machine);
-            for steps in [2, most] {
-                let iteration = vec![Step::exchange_add(Axis::X); steps - 1];
-                let program = Microprogram::of_phases(&[Step::new(Op::LoadQuery)], &iteration);
-                let own = OwnProgram::new(&program).unwrap();
-                let machine = Machine {
-                    organisation: Organisation::Programmed(own),
-                    ..*machine
-                };
-                assert!(build(&machine, Level::Machine).is_ok(), "{name}, {steps}");
-            }
-            most
-        };
-        assert_eq!(["paper", "paper-5d", "local"].map(longest), [32, 32, 16]);
-        let stream = MACHINES.iter().find(|m| m.name == "stream").unwrap();
-        assert_eq!(most_steps(stream), 0);
-    }
-
-    #[test]
-    fn a_cell_has_no_place_for_a_table_of_squares() {
-        let machine = Machine {
-            squarer: Squarer::Table,
-            ..MACHINES[0]
-        };
-        assert!(build(&machine, Level::Machine).is_err());
-    }
-
-    #[test]
-    fn a_width_that_is_not_built_in_is_refused_with_those_that_are() {
-        let numbers = Numbers::Plain(PlainFormat {
-            coordinate_bits: 9,
-            power_bits: 16,
-            max_photons: 65_537,
-        });
-        let machine = Machine {
-            numbers,
-            ..MACHINES[0]
-        };
-        let error = build(&machine, Level::Machine).err().unwrap().to_string();
-        assert!(
-            error.contains("coordinate: 9") && error.contains("coordinate: 8"),
-            "{error}"
-        );
-    }
 }

@@ -16,7 +16,7 @@
 
 // Without the named machines the tables have no rows.
 #![cfg_attr(
-    not(feature = "named-machines"),
+    any(test, not(feature = "named-machines")),
     allow(unused_variables, unused_mut, dead_code)
 )]
 

@@ -163,19 +163,3 @@ mod planted {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use photoncube_spec::MACHINES;
-
-    #[test]
-    fn the_lint_finds_nothing_in_a_machine_and_the_planted_mistake() {
-        for machine in MACHINES {
-            let linted = lint_machine(machine).unwrap();
-            assert_eq!(linted.findings, Vec::<String>::new(), "{}", machine.name);
-            assert!(linted.generated > 0 && linted.registers > 0, "{linted:?}");
-        }
-        assert!(lint_control());
-    }
-}

@@ -13,7 +13,7 @@ pub(crate) const WIDTHS: [u32; 10] = [8, 8, 8, 16, 18, 16, 0, 16, 18, 32];
 
 /// Builds the block of an overlapped machine at a level; `None` if its widths are not compiled in.
 pub(crate) fn build(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> {
-    let is_built_in = cfg!(feature = "named-machines")
+    let is_built_in = cfg!(all(feature = "named-machines", not(test)))
         && bits(program_widths(&Widths::of(machine))) == WIDTHS
         && machine.dimension == 4
         && machine.squarer == Squarer::Digits;

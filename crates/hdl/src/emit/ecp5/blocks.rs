@@ -187,10 +187,7 @@ fn initial_values(difference: usize, square: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::find_machine;
-
     use super::*;
-    use crate::level::Level;
 
     /// A test module of a squarer with a register at each of these places.
     fn module(places: &[&str]) -> Module {
@@ -222,16 +219,5 @@ mod tests {
         assert!(both.contains("assign far = |product[33:30];"));
         assert_eq!(text(&["products_delay"]), None);
         assert_eq!(text(&["product"]), None);
-    }
-
-    #[test]
-    fn a_machine_of_all_kinds_has_one_text_of_each_block() {
-        let blocks = |machine: &str| {
-            let emitted = crate::emit(find_machine(machine).unwrap(), Level::Machine).unwrap();
-            let text = emitted.ecp5_text.unwrap();
-            ["MULT18X18D #", "DP16KD #"].map(|block| text.matches(block).count())
-        };
-        assert_eq!(blocks("tile-6-mixed"), [1, 1]);
-        assert_eq!(blocks("tile-6"), [0, 0]);
     }
 }
