@@ -14,8 +14,9 @@ if (($# > 0)); then
 fi
 
 export REQUIRE_EDA=1
-# A first build is faster without the data for a second one. Where they are there, they are used.
-[[ -d ${CARGO_TARGET_DIR:-target}/debug/incremental ]] || export CARGO_INCREMENTAL=0
+# A first build is faster without the data for incremental builds, and with one codegen unit a crate; the tests then run
+# faster too. Where incremental data exist, the settings of the profile stay, so that nothing is compiled anew.
+[[ -d ${CARGO_TARGET_DIR:-target}/debug/incremental ]] || export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_CODEGEN_UNITS=1
 
 scratch=$(mktemp -d)
 streams=()
