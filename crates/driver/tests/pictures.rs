@@ -40,12 +40,27 @@ fn core(chains: u32, machine: &str) -> Core {
     Core::new(find_machine(machine).unwrap(), chains).unwrap()
 }
 
+/// The view as a square of that many pixels a side.
+fn square(side: u32) -> ViewOptions {
+    ViewOptions {
+        width: side,
+        height: side,
+        ..VIEW
+    }
+}
+
 /// The picture by that many models of a core.
-fn by_models(scene: &Scene, map: &PhotonMap, core: &Core, count: usize) -> (Rendering, Work) {
+fn by_models(
+    scene: &Scene,
+    map: &PhotonMap,
+    core: &Core,
+    view: &ViewOptions,
+    count: usize,
+) -> (Rendering, Work) {
     let models = (0..count).map(|_| ModelTransport::new(core)).collect();
     let driver = Driver::new(core, models).unwrap();
     let engine = Engine::Hardware(core.machine, &driver);
-    let rendering = render(scene, map, engine, &VIEW, &|_| ()).unwrap();
+    let rendering = render(scene, map, engine, view, &|_| ()).unwrap();
     (rendering, driver.work())
 }
 
@@ -61,7 +76,7 @@ fn a_core_renders_what_the_direct_gather_renders() {
     ] {
         let (scene, map) = traced(scene, in_range);
         let core = core(chains, name);
-        let (found, work) = by_models(&scene, &map, &core, 1);
+        let (found, work) = by_models(&scene, &map, &core, &VIEW, 1);
         // A query of a small bank meets in several sets more photons than the machine's format lets it meet at once.
         let format = PhotonFormat {
             max_photons: 1 << 20,
@@ -101,11 +116,7 @@ fn a_core_renders_what_the_direct_gather_renders() {
 /// `report` says the seconds of a picture by this forecast, which is made without a simulation.
 #[test]
 fn the_forecast_of_a_picture_is_near_its_simulated_clocks() {
-    let view = ViewOptions {
-        width: 128,
-        height: 128,
-        ..VIEW
-    };
+    let view = square(128);
     let core = core(6, "leaf-7-local7-rgb6d-n4096");
     for scene in ["cornell", "ring"] {
         let (scene, map) = traced(scene, 200.0);
@@ -115,10 +126,8 @@ fn the_forecast_of_a_picture_is_near_its_simulated_clocks() {
         let forecast = Forecast::of(&core, &quantised, &queries);
         assert_eq!(forecast.queries, queries.len() as u64);
 
-        let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
-        let engine = Engine::Hardware(core.machine, &driver);
-        render(&scene, &map, engine, &view, &|_| ()).unwrap();
-        let clocks = driver.work().counter(CoreCounter::Clocks);
+        let (_, work) = by_models(&scene, &map, &core, &view, 1);
+        let clocks = work.counter(CoreCounter::Clocks);
         // In the forecast, a leaf is sent at its time, also where its stream is free before, and not later for leaves of other chains. On
         // these pictures that makes 1.1 % more and 1.5 % fewer clocks.
         let forecast = forecast.clocks;
@@ -134,19 +143,12 @@ fn the_forecast_of_a_picture_is_near_its_simulated_clocks() {
 /// forecast has less exactly, wait for nothing here. A clock too many or too few in each batch would be fifty times the error that it may have.
 #[test]
 fn the_forecast_of_one_chain_has_each_clock_of_its_batches() {
-    let view = ViewOptions {
-        width: 192,
-        height: 192,
-        ..VIEW
-    };
+    let view = square(192);
     let core = core(1, "leaf-7-local7-rgb6d-n4096");
     let batches = u64::from(view.width * view.height) / core.engines() as u64;
     for in_range in [20.0, 60.0, 200.0] {
         let (scene, map) = traced("cornell", in_range);
-        let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
-        let engine = Engine::Hardware(core.machine, &driver);
-        render(&scene, &map, engine, &view, &|_| ()).unwrap();
-        let work = driver.work();
+        let (_, work) = by_models(&scene, &map, &core, &view, 1);
         let (clocks, forecast) = (work.counter(CoreCounter::Clocks), work.clocks_forecast);
         assert!(
             clocks.abs_diff(forecast) * 50 <= batches,
@@ -275,8 +277,8 @@ fn an_estimate_that_a_core_has_no_radii_for_is_refused() {
 fn several_cores_share_the_frames_of_a_picture() {
     let (scene, map) = traced("cornell", 60.0);
     let core = core(2, "leaf-6-local7-rgb6d-n4096");
-    let (one, one_work) = by_models(&scene, &map, &core, 1);
-    let (three, three_work) = by_models(&scene, &map, &core, 3);
+    let (one, one_work) = by_models(&scene, &map, &core, &VIEW, 1);
+    let (three, three_work) = by_models(&scene, &map, &core, &VIEW, 3);
     assert_eq!(one.image, three.image);
     let played = |work: &Work| work.counter(CoreCounter::GroupsPlayed);
     assert_eq!(played(&one_work), played(&three_work));
