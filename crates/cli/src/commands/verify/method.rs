@@ -18,6 +18,14 @@ pub trait Method: Args + Debug {
     /// Command lines of the method, for its help.
     const EXAMPLES: &'static [&'static str];
 
+    /// Checks what needs no tool, before a tool is looked for.
+    ///
+    /// # Errors
+    /// Options do not go together.
+    fn check(&self) -> Result<()> {
+        Ok(())
+    }
+
     /// The external tools that it needs with these options.
     fn tools(&self) -> Vec<Tool>;
 
@@ -30,6 +38,8 @@ pub trait Method: Args + Debug {
 
 /// A method with its options.
 pub trait Chosen: Debug {
+    /// See [`Method::check`].
+    fn check(&self) -> Result<()>;
     /// See [`Method::tools`].
     fn tools(&self) -> Vec<Tool>;
     /// See [`Method::run`].
@@ -37,6 +47,10 @@ pub trait Chosen: Debug {
 }
 
 impl<M: Method> Chosen for M {
+    fn check(&self) -> Result<()> {
+        Method::check(self)
+    }
+
     fn tools(&self) -> Vec<Tool> {
         Method::tools(self)
     }

@@ -140,6 +140,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     let Some(method) = &args.method else {
         return results(json, args.wide);
     };
+    method.check()?;
     if let Some(missing) = method.tools().iter().find_map(|tool| tool.find().err()) {
         return Err(missing.into());
     }

@@ -51,6 +51,13 @@ impl Method for Mutants {
         "photoncube verify mutants 100 --machine paper --mutant 7 --waves mutant.vcd",
     ];
 
+    fn check(&self) -> Result<()> {
+        if self.mutant.is_none() && self.waves.clocks().is_some() {
+            bail!("--waves: found no --mutant, expected the number of the mutant that is recorded");
+        }
+        Ok(())
+    }
+
     fn tools(&self) -> Vec<Tool> {
         [&[Tool::Yosys], DeviceKind::Verilator.tools()].concat()
     }
@@ -64,9 +71,6 @@ impl Method for Mutants {
             iterations: ITERATIONS,
             more_iterations: self.stimulus.iterations,
         };
-        if self.mutant.is_none() && self.waves.clocks().is_some() {
-            bail!("--waves: found no --mutant, expected the number of the mutant that is recorded");
-        }
         if let Some(mutant) = self.mutant {
             return self.record(machine, &options, mutant);
         }
