@@ -18,6 +18,9 @@ use self::page::Part;
 /// Programs of chapters that come with neither Rust nor a shell.
 const TOOLS: [&str; 3] = ["iverilog", "vvp", "yosys"];
 
+/// Simulators that a command of a chapter starts by itself where they are installed: the chapter shows their rows.
+const STARTED: [(&str, &str); 1] = [("first-machine", "verilator")];
+
 /// The commands that no test runs, by chapter; the chapter says why.
 const NOT_RUN: [(&str, &str); 7] = [
     // It takes nextpnr, and two minutes.
@@ -58,7 +61,7 @@ fn parts(page: &Path) -> Result<Vec<Part>, Failed> {
     parts.map_err(|error| format!("{}, {error}", page.display()).into())
 }
 
-/// The first tool that a chapter runs and that is not installed.
+/// The first tool that a chapter runs, or has rows of, and that is not installed.
 fn missing_tool(page: &Path) -> Option<&'static str> {
     let parts = parts(page).unwrap_or_default();
     let runs = |tool: &&str| {
@@ -67,9 +70,13 @@ fn missing_tool(page: &Path) -> Option<&'static str> {
             Part::File { .. } | Part::NotRun(_) => false,
         })
     };
+    let started = STARTED
+        .into_iter()
+        .filter(|(chapter, _)| *chapter == name(page));
     TOOLS
         .into_iter()
         .filter(runs)
+        .chain(started.map(|(_, tool)| tool))
         .find(|tool| !is_installed(tool))
 }
 
