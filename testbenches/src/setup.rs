@@ -10,6 +10,7 @@ use photoncube_hdl::cache::{CacheError, Files, cache, unpacked};
 /// The script, and the files beside it that it reads.
 const SCRIPTS: &Files = &[
     ("setup.sh", include_bytes!("../../scripts/setup.sh")),
+    ("yosys.py", include_bytes!("../../scripts/yosys.py")),
     (
         "requirements-core.txt",
         include_bytes!("../../scripts/requirements-core.txt"),

