@@ -318,7 +318,7 @@ setup_python() {
         pip_install "$environment" "pyosys==$PYOSYS" "pyslang==$PYSLANG"
     fi
     install_yosys "$environment"
-    : >"$environment/complete"
+    [[ -e $environment/complete ]] || : >"$environment/complete"
     if ((synthesis)); then
         for program in "${NEXTPNR[@]}"; do
             [[ -e $environment/complete-$program ]] && continue

@@ -39,6 +39,10 @@ fi
 need yosys
 where=$("$root/scripts/setup.sh" --where) || exit 2
 programs=("$(command -v yosys)" "$where/yosys")
+declare -A versions
+for program in "${programs[@]}"; do
+    read -r _ "versions[$program]" _ < <("$program" -V)
+done
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -63,13 +67,12 @@ for file in "${files[@]}"; do
         exit 1
     }
     for program in "${programs[@]}"; do
-        read -r _ version _ < <("$program" -V)
         ran=$((ran + 1))
         if said=$(runs "$program" "$file" 2>&1); then
-            echo "pass  $file (Yosys $version)"
+            echo "pass  $file (Yosys ${versions[$program]})"
         else
             failed=$((failed + 1))
-            echo "FAIL  $file (Yosys $version)"
+            echo "FAIL  $file (Yosys ${versions[$program]})"
             tail -n 5 <<<"$said" | sed 's/^/    /'
         fi
     done

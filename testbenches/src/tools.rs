@@ -267,4 +267,22 @@ mod tests {
         let long = [b"first".as_slice(), &[b'x'; 5_000], b"last"].concat();
         assert!(tail(&long).ends_with("last") && !tail(&long).contains("first"));
     }
+
+    /// The pinned Yosys is a library; scripts/yosys.py is its command line.
+    #[test]
+    #[ignore = "needs Yosys: scripts/setup.sh installs it"]
+    fn a_quiet_yosys_prints_its_warnings_and_errors_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let wrong = "module top(output a); assign a = b; endmodule\n";
+        std::fs::write(folder.path().join("top.v"), wrong).unwrap();
+        let yosys = yosys().unwrap();
+        let warned = "top.v:1: Warning: Identifier `\\b' is implicitly declared.";
+        let said = yosys.run(folder.path(), "read_verilog top.v").unwrap();
+        assert_eq!(said.trim(), warned);
+        let failed = yosys.run(folder.path(), "read_verilog top.v; no_command");
+        let failed = failed.unwrap_err().to_string();
+        for expected in [warned, "No such command: no_command"] {
+            assert!(failed.contains(expected), "{failed}");
+        }
+    }
 }
