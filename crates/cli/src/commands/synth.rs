@@ -125,12 +125,13 @@ fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
     Ok(machines)
 }
 
-fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
+/// Compares the recorded figures with the subjects, which are all machines where `args` names none.
+fn checked(args: &SynthArgs, subjects: &[Subject]) -> Result<CheckReport> {
     let all = args.machines.is_empty();
     let mut stale = figures::faults(&args.out, subjects, all)?;
     stale.extend(asic::faults(&args.out, subjects, all)?);
     stale.extend(layout::faults(&args.out, subjects)?);
-    let report = CheckReport {
+    Ok(CheckReport {
         machines: subjects
             .iter()
             .map(|subject| subject.machine.name)
@@ -140,7 +141,11 @@ fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
         stale,
         not_mapped: figures::without::<figures::AreaRow>(&args.out, subjects)?,
         not_placed: figures::without::<PlaceRow>(&args.out, subjects)?,
-    };
+    })
+}
+
+fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
+    let report = checked(args, subjects)?;
     output::print_tables(json, args.wide, &report, || {
         format!(
             "checked the figures of {} machines in {}: {} stale\n\

@@ -1,3 +1,5 @@
+use std::fs;
+
 use clap::Parser;
 use fpga_flow::{Placer, Resource, Router};
 use serde_json::Value;
@@ -7,19 +9,28 @@ use crate::args::{Args, Command};
 use crate::measured;
 use crate::project::ABC9_TARGET_PS;
 
-fn plan(arguments: &[&str]) -> Plan {
+fn arguments(arguments: &[&str]) -> SynthArgs {
     let arguments = [&["photoncube", "synth"][..], arguments].concat();
     let Command::Synth(args) = Args::parse_from(arguments).command else {
         panic!("parsed as another command");
     };
+    args
+}
+
+fn plan(of: &[&str]) -> Plan {
+    let args = arguments(of);
     let subjects = machines(&args.machines).unwrap();
-    let subjects = subjects.into_iter().map(|machine| Subject {
+    let subjects = subjects.into_iter().map(|machine| subject(machine, "00"));
+    Plan::new(&args, subjects.collect())
+}
+
+fn subject(machine: &'static Machine, verilog_sha256: &str) -> Subject {
+    Subject {
         name: machine.name.to_owned(),
         machine,
         design: fpga_flow::Design::default(),
-        verilog_sha256: "00".to_owned(),
-    });
-    Plan::new(&args, subjects.collect())
+        verilog_sha256: verilog_sha256.to_owned(),
+    }
 }
 
 /// The speed grades and seeds of a plan.
@@ -119,6 +130,56 @@ fn a_machine_that_does_not_fit_ends_1_and_says_what_is_lacking() {
     assert_eq!(
         error.to_string(),
         "paper does not fit in iCE40UP5K: 5290 ICESTORM_LC needed, 5280 available, 10 lacking"
+    );
+}
+
+/// All machines, each with the digest of its Verilog that the committed figures record: nothing is stale.
+fn committed_subjects(folder: &Path) -> Vec<Subject> {
+    let recorded = |file: &str| -> Value {
+        let text = fs::read_to_string(folder.join(file)).unwrap();
+        serde_json::from_str::<Value>(&text).unwrap()["verilog_sha256"].take()
+    };
+    let (areas, places) = (recorded("synthesis.json"), recorded("place.json"));
+    let subject = |machine: &'static Machine| {
+        let digests = [&areas[machine.name], &places[machine.name]];
+        let digest = digests.into_iter().find_map(Value::as_str);
+        subject(machine, digest.expect("it is measured"))
+    };
+    MACHINES.iter().map(subject).collect()
+}
+
+#[test]
+fn rows_too_many_or_too_few_are_named() {
+    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/measured");
+    let subjects = committed_subjects(&committed);
+    let folder = tempfile::tempdir().unwrap();
+    let args = arguments(&["--check", "--out", folder.path().to_str().unwrap()]);
+    for name in ["synthesis.json", "place.json"] {
+        fs::copy(committed.join(name), folder.path().join(name)).unwrap();
+    }
+    let unchanged = checked(&args, &subjects).unwrap();
+    assert_eq!(unchanged.stale, [""; 0]);
+    assert_eq!(unchanged.machines.len(), MACHINES.len());
+    let edit = |name: &str, change: fn(&mut Vec<Value>)| {
+        let path = folder.path().join(name);
+        let mut file: Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+        change(file["rows"].as_array_mut().unwrap());
+        fs::write(&path, file.to_string()).unwrap();
+    };
+    edit("synthesis.json", |rows| {
+        let mut row = rows[0].clone();
+        row["machine"] = "pentium".into();
+        rows.push(row);
+    });
+    edit("place.json", |rows| {
+        rows.retain(|row| row["machine"] != "paper" || row["speed_grade"] != 8);
+    });
+    assert_eq!(
+        checked(&args, &subjects).unwrap().stale,
+        [
+            "synthesis.json: pentium is no machine any more",
+            "place.json: paper has no speed grade 8",
+        ]
     );
 }
 
