@@ -9,7 +9,7 @@
 //! [`Rule::SeveralOperators`], a statement that agrees but is not three-address code.
 //!
 //! Text that a block writes by hand (`Verilog::Custom` and the like) is opaque to this proof.
-//! [`opaque_blocks`] lists these texts, so that a caller can compare the list with a list of trusted texts.
+//! [`Design::opaque`] lists these texts, so that a caller can compare the list with a list of trusted texts.
 //! In opaque text the lint checks only names, and memories without initial values.
 
 mod agree;
@@ -38,34 +38,52 @@ use finding::Findings;
 /// Lists every place in `top` and the blocks in it where the emitted Verilog may differ from the Rust simulation.
 ///
 /// Paths start with `top`, as in the text of `generate_verilog`. An empty list means that every generated
-/// statement was shown to agree. It does not cover the blocks that [`opaque_blocks`] lists.
+/// statement was shown to agree. It does not cover the blocks that [`Design::opaque`] lists.
 pub fn lint(top: &dyn Block) -> Vec<Finding> {
-    let modules = design::modules(top);
-    let mut findings = design::repeated_cores(&modules);
-    for module in &modules {
-        findings.extend(lint_module(module));
+    Design::of(top).findings()
+}
+
+/// A block and all blocks in it, as rust-hdl's printer reads them.
+pub struct Design {
+    modules: Vec<Module>,
+}
+
+impl Design {
+    /// Reads the statements and declarations of `top` and the blocks in it.
+    pub fn of(top: &dyn Block) -> Self {
+        Self {
+            modules: design::modules(top),
+        }
     }
-    findings
-}
 
-/// Lists the blocks below `top` whose Verilog is written by hand, which the lint cannot prove.
-///
-/// Compare the result with a list of trusted texts. A register of the rust-hdl library is recognised by its
-/// whole text ([`OpaqueKind::Register`]), so only the remaining blocks need a review.
-pub fn opaque_blocks(top: &dyn Block) -> Vec<Opaque> {
-    design::modules(top)
-        .into_iter()
-        .filter_map(|module| Opaque::of(&module.path, &module.hdl))
-        .collect()
-}
+    /// The findings of [`lint`].
+    pub fn findings(&self) -> Vec<Finding> {
+        let mut findings = design::repeated_cores(&self.modules);
+        for module in &self.modules {
+            findings.extend(lint_module(module));
+        }
+        findings
+    }
 
-/// The paths of `top` and the blocks in it whose statements rust-hdl generates, all of which [`lint`] checks.
-pub fn generated_blocks(top: &dyn Block) -> Vec<String> {
-    design::modules(top)
-        .into_iter()
-        .filter(|module| matches!(module.hdl, Verilog::Combinatorial(_)))
-        .map(|module| module.path)
-        .collect()
+    /// The blocks whose Verilog is written by hand, which the lint cannot prove.
+    ///
+    /// Compare the result with a list of trusted texts. A register of the rust-hdl library is recognised by its
+    /// whole text ([`OpaqueKind::Register`]), so only the remaining blocks need a review.
+    pub fn opaque(&self) -> Vec<Opaque> {
+        let modules = self.modules.iter();
+        modules
+            .filter_map(|module| Opaque::of(&module.path, &module.hdl))
+            .collect()
+    }
+
+    /// The paths of the blocks whose statements rust-hdl generates, all of which are linted.
+    pub fn generated(&self) -> Vec<&str> {
+        let modules = self.modules.iter();
+        modules
+            .filter(|module| matches!(module.hdl, Verilog::Combinatorial(_)))
+            .map(|module| module.path.as_str())
+            .collect()
+    }
 }
 
 fn lint_module(module: &Module) -> Vec<Finding> {

@@ -2,7 +2,7 @@
 
 use photoncube_spec::Machine;
 use rust_hdl::prelude::check_all;
-use rust_hdl_lint::{Finding, Opaque, OpaqueKind, Rule, generated_blocks, lint, opaque_blocks};
+use rust_hdl_lint::{Design, Finding, Opaque, OpaqueKind, Rule, lint};
 use serde::{Deserialize, Serialize};
 
 use super::{BlockRam, EmitError, TOP};
@@ -70,15 +70,16 @@ pub fn lint_machine(machine: &Machine) -> Result<Linted, GeneratorError> {
 
 /// The block of a whole machine as the lint sees it.
 pub(crate) fn lint_block(block: &dyn Pinned) -> Linted {
-    let opaque = opaque_blocks(block);
+    let design = Design::of(block);
+    let opaque = design.opaque();
     let is_register = |opaque: &&Opaque| opaque.kind == OpaqueKind::Register;
     let registers = opaque.iter().filter(is_register).count();
     let unknown = unknown_texts(Level::Machine.name(), &opaque);
     Linted {
-        generated: generated_blocks(block).len(),
+        generated: design.generated().len(),
         registers,
         hand_written: opaque.len() - registers - unknown.len(),
-        findings: [statement_findings(block), unknown].concat(),
+        findings: [statement_findings(&design, block), unknown].concat(),
     }
 }
 
@@ -87,8 +88,9 @@ pub(super) fn check(name: &str, part: &str, block: &dyn Pinned) -> Result<(), Em
         machine: name.to_owned(),
         reason: format!("{error:?}"),
     })?;
-    let unknown = unknown_texts(part, &opaque_blocks(block));
-    let findings = [statement_findings(block), unknown].concat();
+    let design = Design::of(block);
+    let unknown = unknown_texts(part, &design.opaque());
+    let findings = [statement_findings(&design, block), unknown].concat();
     if findings.is_empty() {
         return Ok(());
     }
@@ -99,9 +101,9 @@ pub(super) fn check(name: &str, part: &str, block: &dyn Pinned) -> Result<(), Em
 }
 
 /// The lint's findings, those about declared block RAMs left out.
-fn statement_findings(block: &dyn Pinned) -> Vec<String> {
+fn statement_findings(design: &Design, block: &dyn Pinned) -> Vec<String> {
     let block_rams = block.block_rams();
-    let found = lint(block);
+    let found = design.findings();
     let found = found
         .iter()
         .filter(|finding| !is_block_ram(finding, &block_rams));

@@ -1,38 +1,54 @@
 //! Merges equal modules, bottom-up, and gives them readable names.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, HashMap};
 
 use super::EmitError;
 use super::channels::ChannelNames;
-use super::modules::{Module, rename_identifiers};
+use super::modules::rename_identifiers;
+
+/// A module as rust-hdl prints it.
+pub(super) struct Printed {
+    /// The module's name in rust-hdl: the path of its instance, joined by `$`.
+    pub path: String,
+    /// The name of the instance in its parent.
+    pub instance: String,
+    /// The text from the opening parenthesis after the name up to `endmodule`, without `endmodule`.
+    pub body: String,
+    /// The name that the body has for the module of each child, and the path of the module that is printed for it.
+    pub children: Vec<(String, String)>,
+}
 
 /// Merges equal modules and names them `prefix_instance`. The module `top` becomes `prefix` and is first. Of
 /// the others, each comes before the modules that it uses.
 pub(super) fn merge(
-    mut modules: Vec<Module>,
+    mut modules: Vec<Printed>,
     top: &str,
     prefix: &str,
     channels: &ChannelNames,
 ) -> Result<String, EmitError> {
-    let names: HashSet<String> = modules.iter().map(|module| module.name.clone()).collect();
-    // A child's name extends its parent's, so the order of decreasing length is bottom-up. Names of equal
-    // length keep the order of the text, so that every run gives the same result.
-    modules.sort_by_key(|module| std::cmp::Reverse(module.name.len()));
+    modules.sort_by(|one, other| order(&one.path).cmp(&order(&other.path)));
     let mut merged = Merged::new(channels);
     for module in &modules {
-        let name = if module.name == top {
+        let name = if module.path == top {
             prefix.to_owned()
         } else {
-            format!("{prefix}_{}", base_name(module, &names))
+            format!("{prefix}_{}", base_name(module))
         };
         merged.add(module, name)?;
     }
     Ok(merged.text())
 }
 
+/// The order in which modules are merged and named: children before parents, since a child's path extends its parent's.
+/// Every run gives the same result.
+pub(super) fn order(path: &str) -> (Reverse<usize>, &str) {
+    (Reverse(path.len()), path)
+}
+
 struct Merged<'a> {
     channels: &'a ChannelNames,
-    /// Maps rust-hdl's module name to the merged module's name.
+    /// Maps the path of a module to the merged module's name.
     names: HashMap<String, String>,
     /// Maps a module's text to its name.
     by_body: HashMap<String, String>,
@@ -53,10 +69,10 @@ impl<'a> Merged<'a> {
         }
     }
 
-    fn add(&mut self, module: &Module, wanted: String) -> Result<(), EmitError> {
+    fn add(&mut self, module: &Printed, wanted: String) -> Result<(), EmitError> {
         let body = self.readable(module)?;
         if let Some(name) = self.by_body.get(&body) {
-            self.names.insert(module.name.clone(), name.clone());
+            self.names.insert(module.path.clone(), name.clone());
             return Ok(());
         }
         let count = self.wanted.entry(wanted.clone()).or_default();
@@ -65,7 +81,7 @@ impl<'a> Merged<'a> {
             1 => wanted,
             more => format!("{wanted}_{more}"),
         };
-        self.names.insert(module.name.clone(), name.clone());
+        self.names.insert(module.path.clone(), name.clone());
         self.by_body.insert(body.clone(), name.clone());
         self.modules.push((name, body));
         Ok(())
@@ -73,11 +89,15 @@ impl<'a> Merged<'a> {
 
     /// The module's body with readable names of modules and channels, and with `_` for the `$` of rust-hdl's
     /// paths.
-    fn readable(&self, module: &Module) -> Result<String, EmitError> {
+    fn readable(&self, module: &Printed) -> Result<String, EmitError> {
+        let children = module.children.iter();
+        let children: HashMap<&str, &String> = children
+            .map(|(name, path)| (name.as_str(), &self.names[path]))
+            .collect();
         let mut origin: HashMap<String, String> = HashMap::new();
         let mut clash = None;
         let body = rename_identifiers(&module.body, |word| {
-            if let Some(name) = self.names.get(word) {
+            if let Some(&name) = children.get(word) {
                 return name.clone();
             }
             let name = self.channels.name(word).replace('$', "_");
@@ -92,7 +112,7 @@ impl<'a> Merged<'a> {
         match clash {
             None => Ok(tidy(&body)),
             Some((first, second, name)) => Err(EmitError::Name {
-                module: module.name.clone(),
+                module: module.path.clone(),
                 first,
                 second,
                 name,
@@ -108,10 +128,10 @@ impl<'a> Merged<'a> {
     }
 }
 
-/// The instance's name without array index, which is the part after the parent's path. A register is named by
+/// The instance's name without array index. A register is named by
 /// its width, because equal registers in many places are one module. A register copy, which synthesis keeps,
 /// is named likewise.
-fn base_name(module: &Module, names: &HashSet<String>) -> String {
+fn base_name(module: &Printed) -> String {
     if let Some(width) = register_width(&module.body) {
         let kind = match module.body.contains("(* keep *)") {
             true => "copy",
@@ -119,12 +139,7 @@ fn base_name(module: &Module, names: &HashSet<String>) -> String {
         };
         return format!("{kind}_{width}");
     }
-    let parent = module
-        .name
-        .rmatch_indices('$')
-        .map(|(at, _)| at)
-        .find(|&at| names.contains(&module.name[..at]));
-    let instance = &module.name[parent.map_or(0, |at| at + 1)..];
+    let instance = module.instance.as_str();
     let (stem, index) = instance.split_once('$').unwrap_or((instance, ""));
     if index.bytes().all(|byte| byte.is_ascii_digit()) {
         return stem.to_owned();
@@ -185,27 +200,37 @@ fn tidy_line(line: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::modules::split;
     use super::*;
     use photoncube_spec::MACHINES;
 
     const REGISTER: &str = "(d,q,clock);\n input wire [7:0] d;\n q <= d;\n";
 
-    fn text(modules: &[(&str, &str)]) -> Vec<Module> {
-        let text: String = modules
-            .iter()
-            .map(|(name, body)| format!("module {name}{body}endmodule\n"))
-            .collect();
-        split(&text)
+    /// Modules of these paths and bodies.
+    fn printed(modules: &[(&str, &str)]) -> Vec<Printed> {
+        let paths = || modules.iter().map(|(path, _)| *path);
+        let parent = |path: &str| {
+            let above = paths().filter(|above| path.starts_with(&format!("{above}$")));
+            above.max_by_key(|above| above.len())
+        };
+        let module = |&(path, body): &(&str, &str)| Printed {
+            path: path.to_owned(),
+            instance: path[parent(path).map_or(0, |parent| parent.len() + 1)..].to_owned(),
+            body: body.to_owned(),
+            children: paths()
+                .filter(|child| parent(child) == Some(path))
+                .map(|child| (child.to_owned(), child.to_owned()))
+                .collect(),
+        };
+        modules.iter().map(module).collect()
     }
 
-    fn merge_as_p(modules: Vec<Module>) -> Result<String, EmitError> {
+    fn merge_as_p(modules: Vec<Printed>) -> Result<String, EmitError> {
         merge(modules, "top", "p", &ChannelNames::of(&MACHINES[0]))
     }
 
     #[test]
     fn equal_children_make_equal_parents() {
-        let modules = text(&[
+        let modules = printed(&[
             ("top", "();\n top$a$0 a$0();\n top$a$1 a$1();\n"),
             ("top$a$0", "();\n top$a$0$r r();\n"),
             ("top$a$0$r", REGISTER),
@@ -224,7 +249,7 @@ mod tests {
     #[test]
     fn a_register_that_synthesis_keeps_is_another_module() {
         let kept = REGISTER.replace(" q <= d;", " (* keep *) q <= d;");
-        let modules = text(&[
+        let modules = printed(&[
             ("top", "();\n top$a a();\n top$b b();\n"),
             ("top$a", REGISTER),
             ("top$b", &kept),
@@ -248,7 +273,7 @@ mod tests {
 
     #[test]
     fn different_modules_of_one_name_are_numbered() {
-        let modules = text(&[
+        let modules = printed(&[
             ("top", "();\n top$a$0 a$0();\n top$a$1 a$1();\n"),
             ("top$a$0", "();\n x\n"),
             ("top$a$1", "();\n y\n"),
@@ -259,7 +284,7 @@ mod tests {
 
     #[test]
     fn names_that_would_fall_together_are_refused() {
-        let modules = text(&[("top", "(a$0, a_0);\n")]);
+        let modules = printed(&[("top", "(a$0, a_0);\n")]);
         let error = merge_as_p(modules).unwrap_err().to_string();
         assert!(error.contains("`a$0` and `a_0`"), "{error}");
     }

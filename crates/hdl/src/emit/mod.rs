@@ -1,19 +1,19 @@
 //! The only code that makes Verilog.
 //!
 //! rust-hdl prints one module for each *instance*. This module checks the design (with rust-hdl's checks and
-//! our lint), prints it, splits it into modules, and merges equal modules, bottom-up, under readable names.
+//! our lint), prints the module of each different block, and merges equal modules, bottom-up, under readable names.
 //! The result is plain Verilog-2001, and every run gives the same text.
 
 mod channels;
 mod checks;
 mod digest;
+mod distinct;
 mod ecp5;
 mod header;
 mod merge;
 mod modules;
 
 use photoncube_spec::{CellTables, Machine, Pins, SignalPlace};
-use rust_hdl::prelude::ModuleDefines;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -204,9 +204,9 @@ fn printed(
     channels: &ChannelNames,
 ) -> Result<String, EmitError> {
     check(name, part, block)?;
-    let mut printed = ModuleDefines::default();
-    block.accept(TOP, &mut printed);
-    merge::merge(modules::split(&printed.defines()), TOP, top, channels)
+    let blocks = distinct::distinct(block, TOP);
+    let modules = blocks.iter().map(|different| different.module(&blocks));
+    merge::merge(modules.collect(), TOP, top, channels)
 }
 
 /// The name under which rust-hdl prints the outermost block.

@@ -2,7 +2,7 @@
 
 use crate::blocks::*;
 use rust_hdl::prelude::*;
-use rust_hdl_lint::{OpaqueKind, Rule, lint, opaque_blocks};
+use rust_hdl_lint::{Design, OpaqueKind, Rule, lint};
 
 block!(Inner { y: O<13>, z13: [O<13>; 3], clock: Signal<In, Clock>, hold: DFF<Bits<12>> }
     #[hdl_gen]
@@ -75,7 +75,8 @@ fn a_loop_reports_its_statement_once() {
 
 #[test]
 fn opaque_text_is_listed_with_registers_told_apart() {
-    let listed: Vec<(String, OpaqueKind)> = opaque_blocks(&outer())
+    let listed: Vec<(String, OpaqueKind)> = Design::of(&outer())
+        .opaque()
         .into_iter()
         .map(|opaque| (opaque.path, opaque.kind))
         .collect();
@@ -89,7 +90,7 @@ fn opaque_text_is_listed_with_registers_told_apart() {
 
 #[test]
 fn opaque_text_is_kept_for_an_allow_list() {
-    let hand = opaque_blocks(&outer()).pop().expect("hand is opaque");
+    let hand = Design::of(&outer()).opaque().pop().expect("hand is opaque");
     assert_eq!(hand.text, "always @(*) y = m * n;");
 }
 
