@@ -104,7 +104,7 @@ mod tests {
             placer: Placer::default(),
             router: Router::default(),
             fmax_mhz,
-            netlist_sha256: None,
+            netlist_sha256: "00".to_owned(),
             path: None,
             endpoints: None,
         }

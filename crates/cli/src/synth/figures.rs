@@ -58,10 +58,8 @@ pub struct PlaceRow {
     pub router: Router,
     /// The highest clock in MHz.
     pub fmax_mhz: f64,
-    /// The digest of the netlist that was placed, see [`Netlist::sha256`](fpga_flow::Netlist::sha256);
-    /// `None` in rows that are older than this field.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub netlist_sha256: Option<String>,
+    /// The digest of the netlist that was placed, see [`Netlist::sha256`](fpga_flow::Netlist::sha256).
+    pub netlist_sha256: String,
     /// The critical path; `None` where it was not read.
     pub path: Option<CriticalPath>,
     /// The registers at which slow paths end; `None` where they were not asked for.
@@ -217,7 +215,13 @@ impl<R: Row> Figured<R> {
         match fs::read_to_string(&path) {
             Ok(text) => {
                 let file = serde_json::from_str(&text);
-                file.with_context(|| path.display().to_string()).map(Some)
+                let what_to_do = || {
+                    format!(
+                        "{} has rows that this version does not read; move it away, and `{COMMAND}` measures all machines anew",
+                        path.display()
+                    )
+                };
+                file.with_context(what_to_do).map(Some)
             }
             Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
             Err(error) => Err(error).with_context(|| path.display().to_string()),

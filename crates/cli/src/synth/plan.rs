@@ -240,7 +240,7 @@ impl Plan {
             placer: what.placer,
             router: what.router,
             fmax_mhz: routed.fmax_mhz,
-            netlist_sha256: Some(routed.netlist_sha256),
+            netlist_sha256: routed.netlist_sha256,
             path: Some(routed.path),
             endpoints: routed.endpoints,
         };

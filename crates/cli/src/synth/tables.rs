@@ -215,7 +215,7 @@ mod tests {
             placer: Placer::default(),
             router: Router::default(),
             fmax_mhz: 200.0,
-            netlist_sha256: None,
+            netlist_sha256: "00".to_owned(),
             path: None,
             endpoints: None,
         };

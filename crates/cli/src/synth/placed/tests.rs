@@ -1,13 +1,14 @@
 //! Tests of the placed netlist: small machines of each organisation equal the golden model in it, and planted
 //! faults are found.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use photoncube_spec::find_machine;
 use photoncube_testbench::{Source, pinned_tools};
 use serde_json::{Value, json};
 
 use super::*;
+use crate::synth::figures::{COMMAND, Figured, PlaceRow};
 
 /// Enough iterations for every fault here; Icarus, which needs no compiler, simulates some hundred clocks in
 /// a second.
@@ -48,12 +49,29 @@ fn cells(netlist: &mut Netlist) -> &mut serde_json::Map<String, Value> {
         .unwrap()
 }
 
+/// Requires that each committed clock of the machine is of this netlist. It is of another one where Yosys, the flow or
+/// a pass has changed since.
+fn is_what_was_measured(placed: &Placed<'_>) {
+    let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/measured");
+    let file = Figured::<PlaceRow>::read(&committed).unwrap().unwrap();
+    let machine = placed.subject.machine.name;
+    let rows = file.rows.iter().filter(|row| row.machine == machine);
+    let measured: BTreeSet<_> = rows.map(|row| row.netlist_sha256.as_str()).collect();
+    let today = placed.netlist_sha256().unwrap();
+    assert_eq!(
+        measured,
+        BTreeSet::from([today.as_str()]),
+        "place.json: `{COMMAND} --flow place --update --machine {machine}` measures it anew"
+    );
+}
+
 /// Compares each different stage with the golden model and proves the passes; then requires that a wrong LUT
 /// is found.
 fn holds(machine: &str) {
     let tools = tools();
     let subject = Subject::of(find_machine(machine).unwrap()).unwrap();
     let placed = Placed::map(&tools, &subject).unwrap();
+    is_what_was_measured(&placed);
     let passes = placed.prove().unwrap();
     assert!(passes[0].cells_changed > 0, "{passes:#?}");
     assert!(
